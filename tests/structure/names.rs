@@ -1,7 +1,7 @@
 //! One name, one thing: in a crate no type name is defined twice, and no two modules have the same
 //! name. Types that belong to a trait's implementation have the trait's name for them.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 use syn::visit::{Visit, visit_item_enum, visit_item_struct, visit_item_trait, visit_item_type};
@@ -44,13 +44,9 @@ impl<'ast> Visit<'ast> for Types {
     }
 }
 
-/// Type names that are still defined twice. The list only gets shorter.
-const KNOWN_TYPES: [&str; 10] =
-    ["Expr", "Field", "Given", "Group", "Output", "Part", "Place", "Quantity", "Row", "Statement"];
-
 #[test]
 fn no_type_name_is_defined_twice() {
-    let (mut left, mut known) = (Vec::new(), BTreeSet::from(KNOWN_TYPES));
+    let mut left = Vec::new();
     for of in crates() {
         let mut types = Types::default();
         for source in &of.sources {
@@ -58,10 +54,7 @@ fn no_type_name_is_defined_twice() {
             types.visit_file(&source.file);
         }
         assert!(of.sources.len() < 20 || types.found.len() > 100, "{}: few types", of.name);
-        types.found.retain(|name, places| {
-            known.retain(|known| known != name || places.len() == 1);
-            places.len() > 1 && !KNOWN_TYPES.contains(&name.as_str())
-        });
+        types.found.retain(|_, places| places.len() > 1);
         left.extend(
             types
                 .found
@@ -75,18 +68,11 @@ fn no_type_name_is_defined_twice() {
         left.len(),
         left.join("\n")
     );
-    assert!(known.is_empty(), "take these off the list, they are defined once: {known:?}");
 }
-
-/// Names of modules that are still those of two. The list only gets shorter.
-const KNOWN_MODULES: [&str; 10] = [
-    "chain", "dynamics", "forces", "groups", "limits", "literal", "searches", "springs", "steps",
-    "triangle",
-];
 
 #[test]
 fn no_module_name_stands_in_two_rooms() {
-    let (mut left, mut known) = (Vec::new(), BTreeSet::from(KNOWN_MODULES));
+    let mut left = Vec::new();
     for of in crates() {
         let mut rooms: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
         for source in &of.sources {
@@ -94,14 +80,10 @@ fn no_module_name_stands_in_two_rooms() {
                 rooms.entry(name).or_default().push(&source.path);
             }
         }
-        rooms.retain(|name, paths| {
-            known.retain(|known| known != name || paths.len() == 1);
-            paths.len() > 1 && !KNOWN_MODULES.contains(name)
-        });
+        rooms.retain(|_, paths| paths.len() > 1);
         left.extend(
             rooms.iter().map(|(name, paths)| format!("{} {name}: {}", of.name, paths.join(", "))),
         );
     }
     assert!(left.is_empty(), "{} names of several modules:\n{}", left.len(), left.join("\n"));
-    assert!(known.is_empty(), "take these off the list, they stand in one room: {known:?}");
 }

@@ -52,7 +52,7 @@ pub(crate) enum Measures {
 }
 
 /// A function's row.
-struct Row {
+struct FunctionRow {
     function: Function,
     name: &'static str,
     arity: usize,
@@ -66,7 +66,7 @@ struct Row {
 }
 
 /// The order of [`Function`].
-const ROWS: [Row; 17] = {
+const ROWS: [FunctionRow; 17] = {
     use Function::{
         Abs, Acos, Asin, Atan, Atan2, Cos, Exp, Hypot, Ln, Max, Min, Pow, Sign, Sin, Sqrt, Tan,
         Tanh,
@@ -77,11 +77,11 @@ const ROWS: [Row; 17] = {
         measures: Measures,
         largest: Option<f64>,
         domain: &'static str,
-    ) -> Row {
-        Row { function, name, arity, measures, largest, is_smooth: true, domain }
+    ) -> FunctionRow {
+        FunctionRow { function, name, arity, measures, largest, is_smooth: true, domain }
     }
-    const fn cornered(name: (Function, &'static str, usize), measures: Measures) -> Row {
-        Row { is_smooth: false, ..row(name, measures, None, "") }
+    const fn cornered(name: (Function, &'static str, usize), measures: Measures) -> FunctionRow {
+        FunctionRow { is_smooth: false, ..row(name, measures, None, "") }
     }
     const SIGNED: &str = "a square root needs a number that is not negative";
     const SINE: &str = "a sine or a cosine lies between -1 and 1";
@@ -122,7 +122,7 @@ impl Function {
         matches!(self, Self::Ln | Self::Pow)
     }
 
-    const fn row(self) -> &'static Row {
+    const fn row(self) -> &'static FunctionRow {
         &ROWS[self as usize]
     }
 

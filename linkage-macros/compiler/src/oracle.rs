@@ -5,7 +5,7 @@ use crate::diagnostics::{Diagnostics, Failure};
 use crate::exact::Exact;
 use crate::exact::enclosure::Enclosure;
 use crate::function::Function;
-use crate::ir::interpret::{Given, Number, interpret};
+use crate::ir::interpret::{Number, ProgramValues, interpret};
 use crate::ir::program::Program;
 use crate::model::mechanism::{Mechanism, ParamKind, Sign};
 use crate::{model, syntax};
@@ -92,7 +92,7 @@ pub(crate) fn defaults(mechanism: &Mechanism) -> Vec<Digits> {
 }
 
 /// The results of an entry point.
-pub(crate) fn values(program: &Program, entry: &str, given: &Given<Digits>) -> Vec<Digits> {
+pub(crate) fn values(program: &Program, entry: &str, given: &ProgramValues<Digits>) -> Vec<Digits> {
     let entry = program.answer(entry).expect("the entry exists");
     let values = interpret(program, given);
     entry.sinks.iter().map(|sink| values[sink.index()].clone()).collect()

@@ -31,7 +31,7 @@ impl Displaced {
 
 /// The changes of drives, lengths and unknowns from the drawing.
 #[derive(Default)]
-pub(super) struct Given {
+pub(super) struct PoseChanges {
     pub drives: Vec<f64>,
     /// The lengths of bars, by body, where any changes.
     pub lengths: Vec<f64>,
@@ -57,14 +57,14 @@ impl<'m> Posed<'m> {
         Self { machine, of }
     }
 
-    fn pin(&self, pin: usize, given: &Given) -> Option<Complex> {
+    fn pin(&self, pin: usize, given: &PoseChanges) -> Option<Complex> {
         let known = |body: usize| Some((body, self.of[body]?));
         let (body, displaced) = self.machine.at(pin).find_map(known)?;
         Some(displaced.of(self.place(body, pin, given)))
     }
 
     /// The place of a pin on a body, in the drawing but for the change of the body's length.
-    fn place(&self, body: usize, pin: usize, given: &Given) -> Complex {
+    fn place(&self, body: usize, pin: usize, given: &PoseChanges) -> Complex {
         let place = self.machine.pins[pin];
         let change = given.lengths.get(body).copied().unwrap_or(0.0);
         match self.machine.bodies[body].pins[..] {
@@ -76,7 +76,12 @@ impl<'m> Posed<'m> {
     }
 
     /// Places bodies; `None` where a dyad does not assemble or a search has no root nearby.
-    pub(super) fn run(&mut self, steps: &[Found], given: &mut Given, unknown: f64) -> Option<()> {
+    pub(super) fn run(
+        &mut self,
+        steps: &[Found],
+        given: &mut PoseChanges,
+        unknown: f64,
+    ) -> Option<()> {
         self.follow_given(given);
         let mut searches = 0;
         for step in steps {
@@ -112,7 +117,7 @@ impl<'m> Posed<'m> {
     }
 
     /// Places the bodies that are given: where they are drawn, but for what is known of their motion.
-    fn follow_given(&mut self, given: &Given) {
+    fn follow_given(&mut self, given: &PoseChanges) {
         for (body, of) in self.machine.bodies.iter().enumerate() {
             let Some(footing) = of.given.as_ref().filter(|_| self.of[body].is_none()) else {
                 continue;
@@ -125,7 +130,7 @@ impl<'m> Posed<'m> {
     }
 
     /// The change of a driver from the drawing.
-    fn change(&self, drive: Option<usize>, body: usize, given: &Given, unknown: f64) -> f64 {
+    fn change(&self, drive: Option<usize>, body: usize, given: &PoseChanges, unknown: f64) -> f64 {
         match drive {
             None => unknown,
             Some(drive) if self.machine.drives[drive].bodies[0] == body => given.drives[drive],
@@ -137,7 +142,7 @@ impl<'m> Posed<'m> {
     pub(super) fn residual(
         &mut self,
         search: &SearchedGroup,
-        given: &mut Given,
+        given: &mut PoseChanges,
         unknown: f64,
     ) -> Option<f64> {
         #[cfg(test)]
@@ -176,7 +181,7 @@ impl<'m> Posed<'m> {
     pub(super) fn slope(
         &self,
         search: &SearchedGroup,
-        given: &mut Given,
+        given: &mut PoseChanges,
         unknown: f64,
     ) -> Option<f64> {
         // A part of the unit, so that a scaled drawing is the same.
@@ -189,7 +194,7 @@ impl<'m> Posed<'m> {
     pub(super) fn solve(
         &mut self,
         search: &SearchedGroup,
-        given: &mut Given,
+        given: &mut PoseChanges,
         start: f64,
     ) -> Option<f64> {
         const STEPS: usize = 20;
@@ -210,7 +215,7 @@ impl<'m> Posed<'m> {
     }
 
     /// The angle by which the drive turns the second of two held bodies against the first.
-    fn turned(&self, [_, second]: [usize; 2], held: Held, given: &Given) -> Complex {
+    fn turned(&self, [_, second]: [usize; 2], held: Held, given: &PoseChanges) -> Complex {
         Complex::turned(self.change(Some(held.drive), second, given, 0.0))
     }
 
@@ -220,7 +225,7 @@ impl<'m> Posed<'m> {
         body: usize,
         held: Option<([usize; 2], Held)>,
         pin: usize,
-        given: &Given,
+        given: &PoseChanges,
     ) -> Complex {
         let Some((bodies, held)) = held else { return self.place(body, pin, given) };
         let place = self.machine.pins[pin];
@@ -229,7 +234,7 @@ impl<'m> Posed<'m> {
     }
 
     /// Places the second of two held bodies behind the first.
-    fn follow(&mut self, held: Option<([usize; 2], Held)>, given: &Given) {
+    fn follow(&mut self, held: Option<([usize; 2], Held)>, given: &PoseChanges) {
         let Some((bodies, held)) = held else { return };
         let Some(first) = self.of[bodies[0]] else { return };
         let pivot = self.machine.pins[held.pivot];
@@ -237,7 +242,7 @@ impl<'m> Posed<'m> {
         self.of[bodies[1]] = Some(Displaced::taking(pivot, first.of(pivot), turn));
     }
 
-    fn dyad(&mut self, dyad: &Dyad, given: &Given) -> Option<()> {
+    fn dyad(&mut self, dyad: &Dyad, given: &PoseChanges) -> Option<()> {
         let machine = self.machine;
         let sign = sine(machine, dyad).signum();
         let drawn = |pin: usize| machine.pins[pin];
@@ -378,7 +383,7 @@ mod tests {
         };
         let steps = cut(&machine).expect("it is a machine");
         for change in [-0.2, 0.1, 0.3] {
-            let mut given = Given { drives: vec![change], ..Given::default() };
+            let mut given = PoseChanges { drives: vec![change], ..PoseChanges::default() };
             let mut posed = Posed::new(&machine);
             posed.run(&steps, &mut given, 0.0).expect("it assembles");
             let [first, second, block] =

@@ -76,7 +76,7 @@ struct Relaxation<'m> {
 }
 
 /// An equation: what it is off by, and its derivatives by the bodies that it names.
-struct Row {
+struct LinearEquation {
     off: f64,
     slopes: Vec<(usize, [f64; 3])>,
 }
@@ -138,7 +138,7 @@ impl Relaxation<'_> {
     }
 
     /// The equations, lengths as parts of the machine's size.
-    fn rows(&self, size: f64) -> Vec<Row> {
+    fn rows(&self, size: f64) -> Vec<LinearEquation> {
         let machine = self.machine;
         let mut rows = Vec::new();
         for pin in 0..machine.pins.len() {
@@ -167,7 +167,7 @@ impl Relaxation<'_> {
     }
 
     /// The part along an axis from a point of one body to one of another.
-    fn between(&self, ends: [(usize, Complex); 2], axis: Complex, size: f64) -> Row {
+    fn between(&self, ends: [(usize, Complex); 2], axis: Complex, size: f64) -> LinearEquation {
         let [(a, p), (b, q)] = ends;
         let [from, to] = ends.map(|(body, place)| self.displacements[body].of(place));
         let slopes = |body: usize, place: Complex, sign: f64| {
@@ -176,18 +176,18 @@ impl Relaxation<'_> {
             (body, [axis.x, axis.y, turned].map(|slope| sign * slope))
         };
         let slopes = vec![slopes(a, p, -1.0), slopes(b, q, 1.0)];
-        Row { off: axis.dot(to - from) / size, slopes }
+        LinearEquation { off: axis.dot(to - from) / size, slopes }
     }
 
     /// The angle between two bodies.
-    fn turning(&self, [a, b]: [usize; 2]) -> Row {
+    fn turning(&self, [a, b]: [usize; 2]) -> LinearEquation {
         let off = self.displacements[a].turn - self.displacements[b].turn;
-        Row { off, slopes: vec![(a, [0.0, 0.0, 1.0]), (b, [0.0, 0.0, -1.0])] }
+        LinearEquation { off, slopes: vec![(a, [0.0, 0.0, 1.0]), (b, [0.0, 0.0, -1.0])] }
     }
 
     /// The distances along and across a slide. Where both bodies turn alike, the carrier's axes
     /// count as at rest.
-    fn along(&self, slide: &Slide, size: f64) -> [Row; 2] {
+    fn along(&self, slide: &Slide, size: f64) -> [LinearEquation; 2] {
         let carrier = self.displacements[slide.carrier];
         let along = carrier.direction(slide.along);
         let across = along * Complex::new(0.0, 1.0);

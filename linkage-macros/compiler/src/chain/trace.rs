@@ -3,7 +3,7 @@
 
 use super::cutting::{Found, SearchedGroup};
 use super::machine::{Driven, InputRates, Machine};
-use super::pose::{Given, Posed};
+use super::pose::{PoseChanges, Posed};
 
 /// The most poses each way at full steps.
 const POSES: usize = 60;
@@ -85,14 +85,14 @@ impl Way {
         !self.step.is_finite()
     }
 
-    pub(super) fn given(&self, machine: &Machine, at: f64) -> Given {
+    pub(super) fn given(&self, machine: &Machine, at: f64) -> PoseChanges {
         let unknowns = vec![0.0; machine.bodies.len()];
-        let mut given = Given { unknowns, ..Given::default() };
+        let mut given = PoseChanges { unknowns, ..PoseChanges::default() };
         self.give(&mut given, at);
         given
     }
 
-    fn give(&self, given: &mut Given, at: f64) {
+    fn give(&self, given: &mut PoseChanges, at: f64) {
         let of = |rates: &[f64]| rates.iter().map(|rate| rate * at).collect();
         given.drives = of(&self.motion.drives);
         given.lengths = of(&self.motion.lengths);
@@ -102,11 +102,11 @@ impl Way {
 }
 
 /// The drawing.
-pub(super) fn drawn(machine: &Machine) -> Given {
-    Given {
+pub(super) fn drawn(machine: &Machine) -> PoseChanges {
+    PoseChanges {
         drives: vec![0.0; machine.drives.len()],
         unknowns: vec![0.0; machine.bodies.len()],
-        ..Given::default()
+        ..PoseChanges::default()
     }
 }
 
@@ -225,7 +225,7 @@ fn next<'m>(
     before: &[Found],
     search: &SearchedGroup,
     (drive, unknown): (f64, f64),
-    given: &mut Given,
+    given: &mut PoseChanges,
 ) -> Option<Sample<'m>> {
     let mut posed = Posed::new(machine);
     posed.run(before, given, 0.0)?;

@@ -8,10 +8,10 @@ use quote::quote;
 use super::context::Context;
 use super::identifiers::{CIRCLE, SWEEP_ARGUMENTS, argument};
 use super::text::Text;
-use crate::interface::entries::{Analysis, Given};
+use crate::interface::entries::{Analysis, ArgumentKind};
 use crate::ir::graph::Node;
 use crate::lower::label;
-use crate::lower::places::{Part, Place, argument as argument_of, place};
+use crate::lower::places::{ArgumentPart, Place, argument as argument_of, place};
 
 /// The names of the arguments of all functions, without repetition.
 pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
@@ -65,12 +65,12 @@ pub(super) fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
 /// One input: an argument for its value, rate and second rate; several: a record for each.
 pub(super) struct Arguments<'a> {
     cx: &'a Context<'a>,
-    given: &'a [Given],
+    given: &'a [ArgumentKind],
     names: Vec<Ident>,
 }
 
 impl<'a> Arguments<'a> {
-    pub(super) fn new(cx: &'a Context<'a>, given: &'a [Given]) -> Self {
+    pub(super) fn new(cx: &'a Context<'a>, given: &'a [ArgumentKind]) -> Self {
         let plain = |name| Ident::new(name, Span::call_site());
         let order = |nth: usize| match cx.inputs() {
             None => cx.names.only_input[nth].clone(),
@@ -79,16 +79,16 @@ impl<'a> Arguments<'a> {
         let mut names: Vec<Ident> = Vec::new();
         for given in given {
             let name = match given {
-                Given::Value => order(0),
-                Given::Rate => order(1),
-                Given::Acceleration => order(2),
-                Given::Cosine => plain(CIRCLE[0]),
-                Given::Sine => plain(CIRCLE[1]),
-                Given::Loads => match &cx.mechanism.dynamics.loads[..] {
+                ArgumentKind::Value => order(0),
+                ArgumentKind::Rate => order(1),
+                ArgumentKind::Acceleration => order(2),
+                ArgumentKind::Cosine => plain(CIRCLE[0]),
+                ArgumentKind::Sine => plain(CIRCLE[1]),
+                ArgumentKind::Loads => match &cx.mechanism.dynamics.loads[..] {
                     [only] => clear_of(&names, argument(&only.name, "")),
                     _ => clear_of(&names, plain("loads")),
                 },
-                Given::Drives => clear_of(&names, plain("drive")),
+                ArgumentKind::Drives => clear_of(&names, plain("drive")),
             };
             names.push(name);
         }
@@ -97,7 +97,7 @@ impl<'a> Arguments<'a> {
 
     /// Those of a function that only generated code calls, for formulas that are written as text: the
     /// names have nothing of the tokens that the user may have had a macro write.
-    pub(super) fn with_call_site_spans(cx: &'a Context<'a>, given: &'a [Given]) -> Self {
+    pub(super) fn with_call_site_spans(cx: &'a Context<'a>, given: &'a [ArgumentKind]) -> Self {
         let mut arguments = Self::new(cx, given);
         arguments.names.iter_mut().for_each(|name| name.set_span(Span::call_site()));
         arguments
@@ -137,14 +137,14 @@ impl<'a> Arguments<'a> {
         self.given.iter().zip(&self.names).map(|(given, name)| (name, self.form(*given)))
     }
 
-    fn form(&self, given: Given) -> Form<'a> {
+    fn form(&self, given: ArgumentKind) -> Form<'a> {
         let mechanism = self.cx.mechanism;
         let inputs = || mechanism.inputs.iter().map(|input| &input.name).collect();
         let loads = || mechanism.dynamics.loads.iter().map(|load| &load.name).collect();
         match (given, self.cx.inputs(), self.cx.loads()) {
-            (Given::Loads, _, Some(record)) => Form::Record(record, loads()),
-            (Given::Drives, Some(_), _) => Form::List(mechanism.inputs.len()),
-            (Given::Loads, _, None) | (_, None, _) => Form::Number,
+            (ArgumentKind::Loads, _, Some(record)) => Form::Record(record, loads()),
+            (ArgumentKind::Drives, Some(_), _) => Form::List(mechanism.inputs.len()),
+            (ArgumentKind::Loads, _, None) | (_, None, _) => Form::Number,
             (_, Some(record), _) => Form::Record(record, inputs()),
         }
     }
@@ -177,9 +177,13 @@ impl<'a> Arguments<'a> {
         let cx = self.cx;
         Some(match place(cx.mechanism, cx.interface, self.given, node)? {
             Place::Param(field) => format!("self.{field}"),
-            Place::Argument(at, Part::All) => self.names[at].to_string(),
-            Place::Argument(at, Part::Field(field)) => format!("{}.{field}", self.names[at]),
-            Place::Argument(at, Part::Index(index)) => format!("{}[{index}]", self.names[at]),
+            Place::Argument(at, ArgumentPart::All) => self.names[at].to_string(),
+            Place::Argument(at, ArgumentPart::Field(field)) => {
+                format!("{}.{field}", self.names[at])
+            }
+            Place::Argument(at, ArgumentPart::Index(index)) => {
+                format!("{}[{index}]", self.names[at])
+            }
         })
     }
 

@@ -7,7 +7,7 @@ use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{generated, used};
 use super::{docs, results, solver};
-use crate::interface::entries::{Analysis, Given};
+use crate::interface::entries::{Analysis, ArgumentKind};
 use crate::model::mechanism::Param;
 
 /// For `f32` and `f64`, and only where the run-time crate has its feature `ad`.
@@ -26,7 +26,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 }
 
 fn jacobian(cx: &Context<'_>) -> TokenStream {
-    let arguments = Arguments::new(cx, &[Given::Value]);
+    let arguments = Arguments::new(cx, &[ArgumentKind::Value]);
     let number = &cx.names.scalar;
     let number = quote!(#number);
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
@@ -58,7 +58,7 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
     if params.is_empty() {
         return None;
     }
-    let arguments = Arguments::new(cx, &[Given::Value]);
+    let arguments = Arguments::new(cx, &[ArgumentKind::Value]);
     let number = &cx.names.scalar;
     let number = quote!(#number);
     let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
@@ -89,7 +89,7 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
 
 /// The inputs as numbers without derivatives.
 fn constant_inputs(cx: &Context<'_>) -> TokenStream {
-    let arguments = Arguments::new(cx, &[Given::Value]);
+    let arguments = Arguments::new(cx, &[ArgumentKind::Value]);
     let lifted = |value: TokenStream| solver::lifted_number(cx, &value, &quote!(_));
     let inputs = arguments.names().iter().flat_map(|argument| {
         cx.mechanism.inputs.iter().map(move |input| (argument, used(&input.name)))

@@ -8,13 +8,15 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
-use super::{costs_in_words, forces, groups_in_words, ranges_in_words, searches, stub_docs};
-use crate::interface::entries::{Entry, Given};
+use super::{
+    costs_in_words, force_docs, groups_in_words, ranges_in_words, root_functions, stub_docs,
+};
+use crate::interface::entries::{ArgumentKind, Entry};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Record, Shape, Subject};
 use crate::interface::units_in_words::{per_time, unit};
 use crate::interface::{EntryId, labels};
-use crate::model::mechanism::{Input, Output, OutputKind, Param, ParamKind, Sign};
+use crate::model::mechanism::{DeclaredOutput, Input, OutputKind, Param, ParamKind, Sign};
 use crate::syntax::anatomy::{ModeRow, Modes};
 
 /// The words of the user's comments, to be put behind our own.
@@ -64,13 +66,13 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
     page +=
         &section("Outputs", outputs.map(|output| describe(cx, output, Order::Position)).collect());
     let efforts = 0..cx.mechanism.dynamics.asked.len();
-    page += &section("Forces", efforts.map(|index| forces::describe(cx, index)).collect());
+    page += &section("Forces", efforts.map(|index| force_docs::describe(cx, index)).collect());
     let groups = cx.mechanism.groups.iter();
     page += &section(
         "Groups, in the order they are solved",
         groups.enumerate().map(|(index, _)| groups_in_words::in_words(cx, index)).collect(),
     );
-    page += &section("Searches, in every call", searches::in_words(cx));
+    page += &section("Searches, in every call", root_functions::in_words(cx));
     let ranges = cx.mechanism.rotatabilities.iter();
     page += &section("Range", ranges.map(|found| ranges_in_words::in_words(cx, found)).collect());
     let costs = cx.entries().map(|entry| {
@@ -129,9 +131,9 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
     }
     match field.subject {
         Subject::Input(index) => input(&cx.mechanism.inputs[index]),
-        Subject::Load(index) => forces::load(&cx.mechanism.dynamics.loads[index]),
-        Subject::Effort(index) => forces::effort(cx, index),
-        Subject::Efforts(index) => forces::owner(cx, index),
+        Subject::Load(index) => force_docs::load(&cx.mechanism.dynamics.loads[index]),
+        Subject::Effort(index) => force_docs::effort(cx, index),
+        Subject::Efforts(index) => force_docs::owner(cx, index),
         Subject::Mass => quote! {
             /// The mass matrix, symmetric: in kg along a length, in kg·m² about an angle.
         },
@@ -180,7 +182,7 @@ pub(super) fn rows(order: Order) -> TokenStream {
 }
 
 /// An output as a field of a record.
-fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenStream {
+fn output(cx: &Context<'_>, output: &DeclaredOutput, order: Order) -> TokenStream {
     let mut own = output.docs.clone();
     let of_thing: &[Attribute] = match output.kind {
         OutputKind::Point(point) => &cx.mechanism.points[point.index()].docs,
@@ -195,7 +197,7 @@ fn output(cx: &Context<'_>, output: &Output, order: Order) -> TokenStream {
 }
 
 /// One output in words: what it is, what made it, its unit.
-pub(super) fn describe(cx: &Context<'_>, output: &Output, order: Order) -> String {
+pub(super) fn describe(cx: &Context<'_>, output: &DeclaredOutput, order: Order) -> String {
     let (mechanism, name) = (cx.mechanism, text(&output.field));
     let words = Quantity::of(&output.kind).layout(order).words;
     match &output.kind {
@@ -227,15 +229,15 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
         ([only], _) => {
             let (name, unit) = (text(&only.name), unit(only.dimension, Order::Position));
             let given = entry.given.iter().filter_map(|given| match given {
-                Given::Cosine => {
+                ArgumentKind::Cosine => {
                     Some(format!("`{name}` by its cosine and sine (any amplitude from 0.9 to 1.1)"))
                 }
-                Given::Sine => None,
-                Given::Value => Some(format!("`{name}` in {unit}")),
-                Given::Rate => Some(format!("its rate in {unit}/s")),
-                Given::Acceleration => Some(format!("its second rate in {unit}/s²")),
-                Given::Loads => None,
-                Given::Drives => Some(match &cx.mechanism.dynamics.pull {
+                ArgumentKind::Sine => None,
+                ArgumentKind::Value => Some(format!("`{name}` in {unit}")),
+                ArgumentKind::Rate => Some(format!("its rate in {unit}/s")),
+                ArgumentKind::Acceleration => Some(format!("its second rate in {unit}/s²")),
+                ArgumentKind::Loads => None,
+                ArgumentKind::Drives => Some(match &cx.mechanism.dynamics.pull {
                     Some(load) => format!("the load `{}`, which drives it", text(&load.name)),
                     None => "the effort of its drive".to_string(),
                 }),
@@ -247,7 +249,7 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
         ),
         _ => String::new(),
     };
-    if entry.given.contains(&Given::Drives) && cx.inputs().is_some() {
+    if entry.given.contains(&ArgumentKind::Drives) && cx.inputs().is_some() {
         text += "\nThe efforts of the drives are an array in the order of `INPUTS`.";
         if let Some((input, load)) = cx.mechanism.dynamics.driven() {
             let [input, load] =
@@ -256,8 +258,8 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
                 &format!(" In the place of `{input}` stands the load `{load}`, which drives it.");
         }
     }
-    if entry.given.contains(&Given::Loads) {
-        text += &forces::loads(cx);
+    if entry.given.contains(&ArgumentKind::Loads) {
+        text += &force_docs::loads(cx);
     }
     if matches!(entry.result, Shape::Matrix { .. }) {
         text += "\nA row an output in the order of `OUTPUTS`, a column an input in the order of \
@@ -314,7 +316,7 @@ pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
     if cx.mechanism.is_stub {
         return stub_docs::entry(entry);
     }
-    let has_list = entry.given.contains(&Given::Drives) && cx.inputs().is_some();
+    let has_list = entry.given.contains(&ArgumentKind::Drives) && cx.inputs().is_some();
     let list =
         if has_list { " Those of an array are `(&slice).into()` or `0.0.into()`." } else { "" };
     lines(&format!(

@@ -7,11 +7,11 @@ use quote::{format_ident, quote};
 use super::arguments::Arguments;
 use super::context::Context;
 use super::identifiers::{generated, text};
-use super::{Drawing, formulas, page, searches};
-use crate::interface::entries::Given;
+use super::{Drawing, formulas, page, root_functions};
+use crate::interface::entries::ArgumentKind;
 use crate::lower::routine::Lowered;
 use crate::lower::{APPLIED, PLACED};
-use crate::model::dynamics::{Ends, Force, Spring};
+use crate::model::acting::{Ends, Force, Spring};
 use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Slideway, Step};
 
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
@@ -24,7 +24,7 @@ pub(super) fn items(
     let cx = Context::in_double(mechanism, &drawing.placing);
     let (with_sketch, name, float) =
         (cx.paths.item("with_sketch"), &cx.names.solver, &cx.names.scalar);
-    let (formulas, searches) = (formulas::functions(&cx), searches::functions(&cx));
+    let (formulas, searches) = (formulas::functions(&cx), root_functions::functions(&cx));
     let (drawn, methods, applied) = (drawn(&cx), methods(&cx), applied(&cx));
     let page = page::items(&cx, solver, drawing.source);
     quote! {
@@ -42,7 +42,7 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
     let [drawn, plan_type, vec, result, error, place, place_open] =
         ["Drawn", "Plan", "Vec", "Result", "SolveError", "place", "place_open"].map(path);
     let routine = &cx.lowered.routines[PLACED];
-    let arguments = Arguments::new(cx, &[Given::Value]);
+    let arguments = Arguments::new(cx, &[ArgumentKind::Value]);
     let given = arguments.labelled(&routine.reads);
     let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(float));
     let formulas = formulas::Call { routine: PLACED, stage: 0 }.under(cx, &quote!(#checks));

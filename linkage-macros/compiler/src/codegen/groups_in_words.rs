@@ -6,7 +6,7 @@ use super::context::Context;
 use super::identifiers::text;
 use crate::exact::Exact;
 use crate::model::mechanism::{
-    AngleSum, Carrier, Drive, Expr, Group, GroupName, Known, LinkId, Mechanism, Mode, PointId,
+    AngleSum, Carrier, Drive, Group, GroupName, Known, LinkId, Mechanism, Mode, PointId, Scalar,
     Sign, Slideway,
 };
 use crate::reach::absolute;
@@ -36,7 +36,7 @@ impl Words<'_> {
         let unknown = unknowns.iter().find(|unknown| unknown.group.index() == index)?;
         let constant = if unknown.dimension.angle { degrees } else { metres };
         let [from, to] = unknown.between.each_ref().map(|end| self.number(end, constant));
-        let trend = super::searches::mode(self.mechanism, unknown);
+        let trend = super::root_functions::mode(self.mechanism, unknown);
         Some(format!("between {from} and {to}, fixed by its equation, {trend}"))
     }
 
@@ -73,7 +73,7 @@ impl Words<'_> {
         format!("{}angle {}{from}", length.unwrap_or_default(), self.angle(angle))
     }
 
-    fn rpp(&self, group: &Group, offsets: &[&Expr]) -> String {
+    fn rpp(&self, group: &Group, offsets: &[&Scalar]) -> String {
         let Some(Slideway::Slot { angle, .. }) = group.inner[0].slideway() else {
             return String::new();
         };
@@ -118,11 +118,11 @@ impl Words<'_> {
     fn range_of_rrr(
         &self,
         [b, d]: [&Ident; 2],
-        [first, second]: [&Expr; 2],
+        [first, second]: [&Scalar; 2],
         span: Option<&Exact>,
     ) -> String {
         let driven = match (first, second) {
-            (Expr::Input(input), other) | (other, Expr::Input(input)) => {
+            (Scalar::Input(input), other) | (other, Scalar::Input(input)) => {
                 other.constant().zip(span).map(|(other, span)| (*input, other, span))
             }
             _ => None,
@@ -137,7 +137,7 @@ impl Words<'_> {
         }
     }
 
-    fn rrp(&self, group: &Group, offset: &Expr) -> String {
+    fn rrp(&self, group: &Group, offset: &Scalar) -> String {
         let (outer, pin) = (self.point(group.stands_on(0)), self.pin(group));
         let length = self.length(&group.length(0).value);
         let (sense, offset) = (self.sense(group, "ahead of", "behind"), self.offset(offset));
@@ -147,7 +147,7 @@ impl Words<'_> {
         )
     }
 
-    fn rpr(&self, group: &Group, outer: [PointId; 2], offset: &Expr) -> String {
+    fn rpr(&self, group: &Group, outer: [PointId; 2], offset: &Scalar) -> String {
         let ([b, d], bar) = (outer.map(|point| self.point(point)), self.link(group.links[1]));
         let sense = self.sense(group, "positive", "negative");
         let range = match offset.constant() {
@@ -175,7 +175,7 @@ impl Words<'_> {
     }
 
     /// `, offset 5 mm`; nothing where there is none.
-    fn offset(&self, offset: &Expr) -> String {
+    fn offset(&self, offset: &Scalar) -> String {
         match offset.constant() {
             Some(offset) if offset.is_zero() => String::new(),
             _ => format!(", offset {}", self.length(offset)),
@@ -183,8 +183,8 @@ impl Words<'_> {
     }
 
     /// `offsets 5 mm and 0 m; `; nothing where there are none.
-    fn offsets(&self, offsets: &[&Expr]) -> String {
-        let is_zero = |offset: &&Expr| offset.constant().is_some_and(Exact::is_zero);
+    fn offsets(&self, offsets: &[&Scalar]) -> String {
+        let is_zero = |offset: &&Scalar| offset.constant().is_some_and(Exact::is_zero);
         if offsets.iter().all(is_zero) {
             return String::new();
         }
@@ -192,7 +192,7 @@ impl Words<'_> {
         format!("offsets {first} and {second}; ")
     }
 
-    fn length(&self, value: &Expr) -> String {
+    fn length(&self, value: &Scalar) -> String {
         self.number(value, metres)
     }
 
@@ -204,16 +204,16 @@ impl Words<'_> {
     }
 
     /// A constant as a number, what has a name by it.
-    fn number(&self, value: &Expr, constant: fn(&Exact) -> String) -> String {
+    fn number(&self, value: &Scalar, constant: fn(&Exact) -> String) -> String {
         match value {
-            Expr::Constant(value) => constant(value),
-            Expr::Input(input) => {
+            Scalar::Constant(value) => constant(value),
+            Scalar::Input(input) => {
                 format!("`{}`", text(&self.mechanism.inputs[input.index()].name))
             }
-            Expr::Param(param) => {
+            Scalar::Param(param) => {
                 format!("`{}`", text(&self.mechanism.params[param.index()].name))
             }
-            Expr::Unknown(unknown) => {
+            Scalar::Unknown(unknown) => {
                 format!("`{}`", text(&self.mechanism.unknowns[unknown.index()].name))
             }
             _ => "as computed".to_string(),

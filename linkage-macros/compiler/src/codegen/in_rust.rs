@@ -13,7 +13,7 @@ use crate::interface::units_in_words::unit;
 use crate::ir::check::{Check, Comparison};
 use crate::ir::graph::{Id, Node, Target};
 use crate::ir::liveness::Path;
-use crate::lower::routine::{Amounts, Condition, Routine, Statement, StraightAmounts, Threshold};
+use crate::lower::routine::{Amounts, Condition, Instruction, Routine, StraightAmounts, Threshold};
 use crate::model::mechanism::ParamKind;
 
 /// Rust, with all that a routine's statements read.
@@ -238,7 +238,7 @@ impl Dialect for InRust<'_> {
     /// Passes the groups' clearances to the checks, and returns zeros for the result.
     fn tell(
         printer: &Printer<'_, Self>,
-        statements: &[Statement],
+        statements: &[Instruction],
         clearances: &[Id],
         to: &mut Text,
     ) {

@@ -11,7 +11,7 @@ use super::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::lower::routine::{Amounts, Condition, Statement, StraightAmounts, Threshold};
+use crate::lower::routine::{Amounts, Condition, Instruction, StraightAmounts, Threshold};
 use crate::model::mechanism::Mechanism;
 
 /// JavaScript.
@@ -155,7 +155,7 @@ impl Dialect for InScript<'_> {
     }
 
     /// A page asks for no clearances.
-    fn tell(_: &Printer<'_, Self>, _: &[Statement], _: &[Id], _: &mut Text) {}
+    fn tell(_: &Printer<'_, Self>, _: &[Instruction], _: &[Id], _: &mut Text) {}
 }
 
 /// The expression that reads a leaf.

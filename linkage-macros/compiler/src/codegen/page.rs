@@ -9,7 +9,7 @@ use super::docs::words;
 use super::identifiers::text;
 use super::script;
 use super::solver::held;
-use crate::interface::forces;
+use crate::interface::force_records;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::lower::routine::Lowered;
@@ -53,7 +53,7 @@ pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> Tok
 /// The names that curves may be asked of.
 fn shown(mechanism: &Mechanism) -> Vec<String> {
     let outputs = mechanism.outputs.iter().map(|output| text(&output.field));
-    outputs.chain(mechanism.dynamics.asked.iter().map(forces::path)).collect()
+    outputs.chain(mechanism.dynamics.asked.iter().map(force_records::path)).collect()
 }
 
 /// The unit of a quantity that is given in SI.

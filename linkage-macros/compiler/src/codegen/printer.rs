@@ -7,7 +7,7 @@ use super::text::Text;
 use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::lower::routine::{
-    Amounts, Condition, Lowered, Reading, Routine, Statement, Sum, Threshold,
+    Amounts, Condition, Instruction, Lowered, Reading, Routine, Sum, Threshold,
 };
 
 /// A language that routines are printed in. Infix operators and their precedence are those that
@@ -61,7 +61,7 @@ pub(super) trait Dialect: Sized {
     /// Ends the routine where clearances are asked for, values and scales in turn.
     fn tell(
         printer: &Printer<'_, Self>,
-        statements: &[Statement],
+        statements: &[Instruction],
         clearances: &[Id],
         to: &mut Text,
     );
@@ -111,28 +111,28 @@ impl<'a, D: Dialect> Printer<'a, D> {
         }
     }
 
-    pub(super) fn statements(&self, statements: &[Statement], to: &mut Text) {
+    pub(super) fn statements(&self, statements: &[Instruction], to: &mut Text) {
         statements.iter().for_each(|statement| self.statement(statement, to));
     }
 
-    fn statement(&self, statement: &Statement, to: &mut Text) {
+    fn statement(&self, statement: &Instruction, to: &mut Text) {
         match statement {
-            Statement::Let(id) => {
+            Instruction::Let(id) => {
                 to.put(self.dialect.binding()).put(&self.local(*id)).put(" = ");
                 self.expression(self.node(*id), to);
                 to.put(";\n");
             }
-            Statement::SinCos { angle, sin, cos, is_checked } => {
+            Instruction::SinCos { angle, sin, cos, is_checked } => {
                 D::sin_cos(self, *angle, [*sin, *cos], *is_checked, to);
             }
-            Statement::Length { id, least_square } => {
+            Instruction::Length { id, least_square } => {
                 let Node::Apply2(_, x, y) = self.node(*id) else { unreachable!("it is one") };
                 D::length(self, *id, [x, y], *least_square, to);
             }
-            Statement::Check(condition) => D::condition(self, condition, to),
-            Statement::Amounts(amounts) => D::amounts(self, amounts, to),
-            Statement::Find { search, root, size } => D::find(self, *search, *root, *size, to),
-            Statement::ReportClearances { statements, clearances } => {
+            Instruction::Check(condition) => D::condition(self, condition, to),
+            Instruction::Amounts(amounts) => D::amounts(self, amounts, to),
+            Instruction::Find { search, root, size } => D::find(self, *search, *root, *size, to),
+            Instruction::ReportClearances { statements, clearances } => {
                 D::tell(self, statements, clearances, to);
             }
         }

@@ -7,7 +7,7 @@ use super::context::Context;
 use super::identifiers::generated;
 use super::text::Text;
 use crate::interface::components::Component;
-use crate::interface::quantity::{Layout, Part};
+use crate::interface::quantity::{Layout, QuantityPart};
 use crate::interface::records::Shape;
 
 /// The type of a result, for numbers of this type.
@@ -107,7 +107,7 @@ pub(super) fn components(cx: &Context<'_>, shape: Shape, result: &str) -> Vec<St
 }
 
 /// A component of a record; of a plain number the number itself.
-pub(super) fn read(record: &str, part: &Part) -> String {
+pub(super) fn read(record: &str, part: &QuantityPart) -> String {
     match part.field {
         "" => record.to_string(),
         field => format!("{record}.{field}"),

@@ -1,21 +1,21 @@
 //! The script of a page: the formulas as functions of JavaScript that return lists of numbers, and what the
 //! numbers are.
 
-use super::forces::unit_of;
+use super::force_docs::unit_of;
 use super::identifiers::{CIRCLE, text};
 use super::in_script::{InScript, list, quoted, read};
 use super::printer::Printer;
 use super::text::Text;
-use crate::interface::entries::{Analysis, Given};
-use crate::interface::quantity::{Order, Part, Quantity};
+use crate::interface::entries::{Analysis, ArgumentKind};
+use crate::interface::quantity::{Order, Quantity, QuantityPart};
 use crate::interface::records::Shape;
 use crate::interface::units_in_words::unit;
-use crate::interface::{forces, labels};
+use crate::interface::{force_records, labels};
 use crate::ir::graph::{Node, RootSearch, Target};
 use crate::lower::routine::{Compute, Lowered, Routine};
 use crate::lower::{PLACED, TRIAL, bound_once, label};
-use crate::model::dynamics::{Effort, RequestedEffort};
-use crate::model::mechanism::{Mechanism, Output, OutputKind};
+use crate::model::acting::{Effort, RequestedEffort};
+use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind};
 
 /// An object: where everything stands, the outputs' motion, forces, the drives that hold the mechanism, and names.
 pub(super) fn object(
@@ -84,7 +84,7 @@ fn function(
 ) {
     let printer = printer(mechanism, lowered, routine, is_fast);
     to.put(&format!("solved([{}], (c) => {{\n", given.join(", ")));
-    if routine.given.contains(&Given::Cosine) {
+    if routine.given.contains(&ArgumentKind::Cosine) {
         let [cos, sin] = CIRCLE;
         to.put(&format!("const [{sin}, {cos}] = c.sinCos(q[0]);\n"));
     }
@@ -133,7 +133,7 @@ fn searches(mechanism: &Mechanism, lowered: &Lowered<'_>, to: &mut Text) {
 }
 
 /// An output: its name, its kind and the unit of a plain number.
-fn output(output: &Output) -> String {
+fn output(output: &DeclaredOutput) -> String {
     let kind = match Quantity::of(&output.kind) {
         Quantity::Point => "point",
         Quantity::Direction => "direction",
@@ -152,9 +152,10 @@ fn output(output: &Output) -> String {
 
 /// A force, couple or effort: its name, its rows, their units, and the point at which an arrow shows it.
 fn effort(mechanism: &Mechanism, asked: &RequestedEffort) -> String {
-    let (rows, units): (&[&str], Vec<String>) = match forces::shape(asked.effort) {
+    let (rows, units): (&[&str], Vec<String>) = match force_records::shape(asked.effort) {
         Shape::Quantity(quantity, order) => {
-            let unit = |part: &Part| if part.field == "couple" { "N·m" } else { "N" }.to_string();
+            let unit =
+                |part: &QuantityPart| if part.field == "couple" { "N·m" } else { "N" }.to_string();
             (quantity.rows(), quantity.layout(order).parts.iter().map(unit).collect())
         }
         _ => (&[""], vec![unit_of(mechanism, asked.effort)]),
@@ -163,6 +164,6 @@ fn effort(mechanism: &Mechanism, asked: &RequestedEffort) -> String {
         Effort::Pin(_, point) | Effort::Bearing(_, point) => point.0.to_string(),
         _ => "null".to_string(),
     };
-    let name = quoted(&forces::path(asked));
+    let name = quoted(&force_records::path(asked));
     format!("{{name: {name}, rows: {}, units: {}, point: {point}}}", list(rows), list(units))
 }

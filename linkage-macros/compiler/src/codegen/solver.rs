@@ -7,8 +7,8 @@ use super::context::{Context, literal};
 use super::identifiers::{generated, text};
 use super::token_list::Tokens;
 use super::{costs_in_words, docs, identifiers, module, structs};
-use crate::interface::{forces, labels};
-use crate::model::mechanism::{Output, Param, ParamKind, Sign};
+use crate::interface::{force_records, labels};
+use crate::model::mechanism::{DeclaredOutput, Param, ParamKind, Sign};
 use crate::syntax::anatomy::Modes;
 
 /// The implementations that need no solving: constants, `Default` and `lift`.
@@ -169,7 +169,9 @@ fn force_rows(cx: &Context<'_>) -> TokenStream {
         return TokenStream::new();
     }
     let rows: Vec<_> = (dynamics.asked.iter())
-        .flat_map(|asked| forces::rows(asked).into_iter().map(|row| (row, asked.field.span())))
+        .flat_map(|asked| {
+            force_records::rows(asked).into_iter().map(|row| (row, asked.field.span()))
+        })
         .map(|(row, span)| identifiers::string(&row, span))
         .collect();
     let loads: Vec<_> = (dynamics.loads.iter())
@@ -186,7 +188,7 @@ fn force_rows(cx: &Context<'_>) -> TokenStream {
 
 /// All rows of the outputs.
 fn output_rows(cx: &Context<'_>) -> Vec<TokenStream> {
-    let rows = |output: &Output| {
+    let rows = |output: &DeclaredOutput| {
         let rows = labels::rows(cx.mechanism, output).into_iter();
         rows.map(|row| identifiers::string(&row, output.field.span())).collect::<Vec<_>>()
     };

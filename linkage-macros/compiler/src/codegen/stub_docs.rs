@@ -8,11 +8,11 @@ use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
 use crate::interface::entries::Entry;
-use crate::interface::forces::path;
+use crate::interface::force_records::path;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Subject};
 use crate::interface::units_in_words::unit;
-use crate::model::mechanism::{Dimension, Output, OutputKind, Param, ParamKind};
+use crate::model::mechanism::{DeclaredOutput, Dimension, OutputKind, Param, ParamKind};
 
 const WITH_MISTAKES: &str = "Stands in for the solver while its declaration has mistakes.";
 
@@ -57,7 +57,7 @@ fn given(what: &str, name: &str, dimension: Dimension) -> String {
     }
 }
 
-fn output(cx: &Context<'_>, output: &Output) -> TokenStream {
+fn output(cx: &Context<'_>, output: &DeclaredOutput) -> TokenStream {
     let (mechanism, name) = (cx.mechanism, text(&output.field));
     match output.kind {
         OutputKind::Point(point) => {

@@ -11,7 +11,7 @@ use super::in_rust::RustPrinter;
 use super::input_records::{input_of, of_fields, of_numbers};
 use super::solver;
 use super::text::Text;
-use crate::interface::entries::Given;
+use crate::interface::entries::ArgumentKind;
 use crate::lower::routine::Routine;
 use crate::model::mechanism::{Param, ParamKind};
 
@@ -86,7 +86,7 @@ fn told(cx: &Context<'_>, to: &mut Text) {
 /// A core without guards, as what is out of reach is a number below zero here, not a refusal.
 pub(super) fn with_rates(cx: &Context<'_>) -> Option<TokenStream> {
     let routine = cx.lowered.clearances.as_ref()?;
-    let arguments = Arguments::with_call_site_spans(cx, &[Given::Value, Given::Rate]);
+    let arguments = Arguments::with_call_site_spans(cx, &[ArgumentKind::Value, ArgumentKind::Rate]);
     let scalar = &cx.names.scalar;
     let (received, unread) =
         (arguments.received(&quote!(#scalar)), arguments.unread(&routine.reads));
@@ -119,7 +119,7 @@ fn on_the_way(cx: &Context<'_>, to: &mut Text) {
         return;
     };
     let (told, function) = (cx.paths.written("told"), generated(&routine.name));
-    let turns = routine.given.first() == Some(&Given::Cosine);
+    let turns = routine.given.first() == Some(&ArgumentKind::Cosine);
     if turns {
         to.put(&format!("let (sin_, cos_) = {}::sin_cos(", cx.names.lifted));
         of_numbers(cx, "input_", 0, to);

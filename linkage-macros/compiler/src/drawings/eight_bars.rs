@@ -1,8 +1,8 @@
 //! All eight-bars: groups by count, and poses of a part of them.
 
 use super::chains_of_eight::{Driven, all, drawing};
-use super::groups::{groups, resolved_text};
 use super::machine::machine;
+use super::textbook::{groups, resolved_text};
 use super::variants::{Random, mirrored, moved};
 use crate::chain::count;
 use crate::chain::cutting::{Found, Placed, steps};

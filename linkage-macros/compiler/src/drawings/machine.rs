@@ -2,7 +2,7 @@
 
 use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
-use crate::ir::interpret::{Given, Number, interpret};
+use crate::ir::interpret::{Number, ProgramValues, interpret};
 use crate::ir::program::Program;
 use crate::model::mechanism::{LinkId, Mechanism, OutputKind, Step};
 use crate::syntax::tree::{Declaration, DrawnLink, StatementKind};
@@ -52,7 +52,7 @@ impl Machine {
     /// The pins by name, at these inputs. The machine has no parameters.
     pub(super) fn pins<N: Number>(&self, inputs: &[f64]) -> Vec<(String, [N; 2])> {
         let float = |value: f64| N::exact(&Exact::float(value).expect("finite"));
-        let given = Given {
+        let given = ProgramValues {
             inputs: inputs.iter().map(|&value| [value, 0.0, 0.0].map(float)).collect(),
             params: Vec::new(),
             loads: Vec::new(),

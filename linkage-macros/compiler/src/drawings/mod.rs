@@ -8,10 +8,10 @@ mod chains_of_eight;
 mod declared_points;
 mod eight_bars;
 mod following;
-mod groups;
 mod machine;
 mod poses;
 mod several_inputs;
+mod textbook;
 mod variants;
 
 /// A machine of the text files beside this.

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::groups::{groups, resolved_text};
+use super::textbook::{groups, resolved_text};
 use super::{Case, cases};
 
 /// A generator of numbers by Marsaglia's xorshift.

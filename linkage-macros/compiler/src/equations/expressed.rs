@@ -7,48 +7,50 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Direction, Frame};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::{Check, Node};
-use crate::model::dynamics::Effort;
+use crate::model::acting::Effort;
 use crate::model::mechanism::{
-    AboveZero, AngleSum, Axis, Expr, GuideId, LawId, Length, Operator, PointId,
+    AboveZero, AngleSum, Axis, GuideId, LawId, Length, Operator, PointId, Scalar,
 };
 
 /// The components of efforts.
 pub(super) type EffortParts<'e, 's> = dyn Fn(Effort, usize) -> Sym<'s> + 'e;
 
 impl<'s> Kinematics<'s> {
-    pub(super) fn jet(&self, expr: &Expr) -> Jet<'s> {
+    pub(super) fn jet(&self, expr: &Scalar) -> Jet<'s> {
         self.jet_of(expr, &|_, _| unreachable!("only outputs read efforts"))
     }
 
     /// A number that may read efforts.
-    pub(super) fn jet_of(&self, expr: &Expr, efforts: &EffortParts<'_, 's>) -> Jet<'s> {
+    pub(super) fn jet_of(&self, expr: &Scalar, efforts: &EffortParts<'_, 's>) -> Jet<'s> {
         match expr {
-            Expr::Constant(value) => Jet::constant(self.builder.constant(value.clone())),
-            Expr::Input(input) => self.inputs[input.index()].jet,
-            Expr::Param(param) => Jet::constant(self.builder.node(Node::Param(param.0))),
-            Expr::Load(load) => Jet::constant(self.builder.node(Node::Load(load.0))),
-            Expr::Pull => Jet::constant(self.value_of_pull()),
-            Expr::Unknown(unknown) => self.unknowns[unknown.index()],
-            Expr::Let(name) => self.lets[name.index()],
-            Expr::Law(law) => self.law(*law),
-            Expr::Slide(link) => self.link(*link).slide.expect("the model checked that it slides"),
-            Expr::Coordinate(point, axis) => {
+            Scalar::Constant(value) => Jet::constant(self.builder.constant(value.clone())),
+            Scalar::Input(input) => self.inputs[input.index()].jet,
+            Scalar::Param(param) => Jet::constant(self.builder.node(Node::Param(param.0))),
+            Scalar::Load(load) => Jet::constant(self.builder.node(Node::Load(load.0))),
+            Scalar::Pull => Jet::constant(self.value_of_pull()),
+            Scalar::Unknown(unknown) => self.unknowns[unknown.index()],
+            Scalar::Let(name) => self.lets[name.index()],
+            Scalar::Law(law) => self.law(*law),
+            Scalar::Slide(link) => {
+                self.link(*link).slide.expect("the model checked that it slides")
+            }
+            Scalar::Coordinate(point, axis) => {
                 let [x, y] = self.point(*point).coordinates();
                 if *axis == Axis::X { x } else { y }
             }
-            Expr::Distance(points) => {
+            Scalar::Distance(points) => {
                 let [p, q] = points.map(|point| self.point(point));
                 let [x, y] = p.jets_to(q);
                 x.hypot(y)
             }
-            Expr::Offset(point, guide) => self.offset(*point, *guide),
-            Expr::Twist(spring) => springs::twist(self, *spring),
+            Scalar::Offset(point, guide) => self.offset(*point, *guide),
+            Scalar::Twist(spring) => springs::twist(self, *spring),
             // A force's value has no use for its own rates.
-            Expr::Rate(turn) => Jet::constant(self.at_rate_scale(self.rate(turn))),
-            Expr::Effort(effort, part) => Jet::constant(efforts(*effort, *part)),
-            Expr::AboveZero(inner) => self.above_zero(inner, efforts),
-            Expr::Negate(value) => -self.jet_of(value, efforts),
-            Expr::Chain(first, rest) => {
+            Scalar::Rate(turn) => Jet::constant(self.at_rate_scale(self.rate(turn))),
+            Scalar::Effort(effort, part) => Jet::constant(efforts(*effort, *part)),
+            Scalar::AboveZero(inner) => self.above_zero(inner, efforts),
+            Scalar::Negate(value) => -self.jet_of(value, efforts),
+            Scalar::Chain(first, rest) => {
                 rest.iter().fold(self.jet_of(first, efforts), |a, (operator, b)| {
                     let b = self.jet_of(b, efforts);
                     match operator {
@@ -59,7 +61,7 @@ impl<'s> Kinematics<'s> {
                     }
                 })
             }
-            Expr::Call(function, arguments) => {
+            Scalar::Call(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|a| self.jet_of(a, efforts)).collect();
                 Jet::of(*function, &arguments)
             }
@@ -106,7 +108,7 @@ impl<'s> Kinematics<'s> {
         })
     }
 
-    pub(super) fn jets(&self, pair: &[Expr; 2]) -> [Jet<'s>; 2] {
+    pub(super) fn jets(&self, pair: &[Scalar; 2]) -> [Jet<'s>; 2] {
         [self.jet(&pair[0]), self.jet(&pair[1])]
     }
 
@@ -135,7 +137,7 @@ impl<'s> Kinematics<'s> {
         if rest.is_zero() {
             return direction;
         }
-        if let Expr::Input(input) = turn.rest
+        if let Scalar::Input(input) = turn.rest
             && let Some(unit) = self.inputs[input.index()].unit
         {
             return Direction { turned: None, ..direction.turned_by(rest, unit) };

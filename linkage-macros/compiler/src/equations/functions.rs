@@ -257,7 +257,7 @@ mod tests {
     use super::*;
     use crate::equations::symbol::GraphBuilder;
     use crate::ir::graph::Node;
-    use crate::ir::interpret::{Given, interpret};
+    use crate::ir::interpret::{ProgramValues, interpret};
     use crate::ir::program::Program;
 
     /// The values of abs a, sign a, min and max of a and b, in double precision.
@@ -273,7 +273,7 @@ mod tests {
         .map(|jet| jet.value.id);
         let program = Program { graph: builder.into_graph(), ..Program::of_zeros([].into_iter()) };
         let (inputs, loads, drives) = (Vec::new(), Vec::new(), Vec::new());
-        let given = Given { inputs, params: vec![a, b], loads, drives, unit: None };
+        let given = ProgramValues { inputs, params: vec![a, b], loads, drives, unit: None };
         let values = interpret(&program, &given);
         ids.map(|id| values[id.index()])
     }

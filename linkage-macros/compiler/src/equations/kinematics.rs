@@ -11,7 +11,7 @@ use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::ir::graph::Node;
 use crate::ir::program::Closure;
 use crate::model::mechanism::{
-    Assembly, Carrier, Expr, Group, GroupId, GuideId, LinkId, Mechanism, Mode, PointId, Sign,
+    Assembly, Carrier, Group, GroupId, GuideId, LinkId, Mechanism, Mode, PointId, Scalar, Sign,
 };
 
 /// An input as the builder knows it.
@@ -274,27 +274,29 @@ impl<'s> Kinematics<'s> {
     }
 
     /// True if everything in the expression has been placed.
-    fn is_known(&self, expr: &Expr) -> bool {
+    fn is_known(&self, expr: &Scalar) -> bool {
         match expr {
-            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => {
-                true
-            }
-            Expr::Unknown(unknown) => unknown.index() < self.unknowns.len(),
-            Expr::Let(name) => name.index() < self.lets.len(),
-            Expr::Slide(link) => self.links[link.index()].is_some(),
-            Expr::Coordinate(point, _) => self.points[point.index()].is_some(),
-            Expr::Distance(points) => points.iter().all(|p| self.points[p.index()].is_some()),
-            Expr::Offset(point, guide) => {
+            Scalar::Constant(_)
+            | Scalar::Input(_)
+            | Scalar::Param(_)
+            | Scalar::Load(_)
+            | Scalar::Pull => true,
+            Scalar::Unknown(unknown) => unknown.index() < self.unknowns.len(),
+            Scalar::Let(name) => name.index() < self.lets.len(),
+            Scalar::Slide(link) => self.links[link.index()].is_some(),
+            Scalar::Coordinate(point, _) => self.points[point.index()].is_some(),
+            Scalar::Distance(points) => points.iter().all(|p| self.points[p.index()].is_some()),
+            Scalar::Offset(point, guide) => {
                 self.points[point.index()].is_some() && self.guides[guide.index()].is_some()
             }
             // Neither stands in what places anything.
-            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => true,
-            Expr::Negate(value) => self.is_known(value),
-            Expr::AboveZero(inner) => self.is_known(&inner.value),
-            Expr::Chain(first, rest) => {
+            Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => true,
+            Scalar::Negate(value) => self.is_known(value),
+            Scalar::AboveZero(inner) => self.is_known(&inner.value),
+            Scalar::Chain(first, rest) => {
                 self.is_known(first) && rest.iter().all(|(_, operand)| self.is_known(operand))
             }
-            Expr::Call(_, arguments) => arguments.iter().all(|a| self.is_known(a)),
+            Scalar::Call(_, arguments) => arguments.iter().all(|a| self.is_known(a)),
         }
     }
 }

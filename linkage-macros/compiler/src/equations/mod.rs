@@ -33,11 +33,11 @@ mod guide;
 mod jet;
 mod kinematics;
 mod motion;
+mod operands;
 mod parts;
 pub(crate) mod placing;
 mod point;
 mod reactions;
-mod steps;
 mod symbol;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -56,7 +56,7 @@ use crate::interface::records::is_margin;
 use crate::ir::construct::Rule;
 use crate::ir::graph::Id;
 use crate::ir::program::{Clearance, Closure, EntryOutputs, Program};
-use crate::model::mechanism::{Mechanism, Output, OutputKind};
+use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
@@ -203,7 +203,7 @@ fn components(kinematics: &Kinematics<'_>, order: Order) -> Vec<Id> {
     outputs.flat_map(|output| components_of(kinematics, output, order)).collect()
 }
 
-fn components_of(kinematics: &Kinematics<'_>, output: &Output, order: Order) -> Vec<Id> {
+fn components_of(kinematics: &Kinematics<'_>, output: &DeclaredOutput, order: Order) -> Vec<Id> {
     match &output.kind {
         OutputKind::Point(point) => {
             let point = kinematics.point(*point);
@@ -247,13 +247,13 @@ fn of_jet(jet: Jet<'_>, order: Order) -> Id {
 }
 
 /// A named angle as a direction.
-fn turn<'s>(kinematics: &Kinematics<'s>, output: &Output) -> Direction<'s> {
+fn turn<'s>(kinematics: &Kinematics<'s>, output: &DeclaredOutput) -> Direction<'s> {
     let OutputKind::Angle(turn) = &output.kind else { unreachable!("only named angles come here") };
     kinematics.turned(Direction::ground(kinematics.builder), turn)
 }
 
 /// A numeric output.
-fn value<'s>(kinematics: &Kinematics<'s>, output: &Output) -> Jet<'s> {
+fn value<'s>(kinematics: &Kinematics<'s>, output: &DeclaredOutput) -> Jet<'s> {
     let measures = |group| kinematics.measures_of(group).expect("the step saw that it is wanted");
     match &output.kind {
         OutputKind::Value { value, .. } => kinematics.jet(value),

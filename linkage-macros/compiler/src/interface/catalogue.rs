@@ -1,6 +1,6 @@
 //! Every record of a mechanism, with its fields.
 
-use crate::interface::forces;
+use crate::interface::force_records;
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{
     Record, RecordId, RecordKind, Shape, Subject, field, field_of_motion, is_margin, own_field,
@@ -21,24 +21,24 @@ pub(super) fn records(mechanism: &Mechanism) -> Vec<Record> {
         list.push(margins(mechanism));
     }
     if mechanism.dynamics.loads.len() > 1 {
-        list.push(forces::loads(mechanism));
+        list.push(force_records::loads(mechanism));
     }
     let mut fields = Vec::new();
-    for owned in forces::owners(mechanism) {
-        let of_the_whole = forces::field_of_the_whole(mechanism, owned.start);
+    for owned in force_records::owners(mechanism) {
+        let of_the_whole = force_records::field_of_the_whole(mechanism, owned.start);
         fields.push(of_the_whole.unwrap_or_else(|| {
-            list.push(forces::of_owner(mechanism, owned.clone()));
-            forces::field_of_owner(mechanism, owned.start, RecordId::of(list.len() - 1))
+            list.push(force_records::of_owner(mechanism, owned.clone()));
+            force_records::field_of_owner(mechanism, owned.start, RecordId::of(list.len() - 1))
         }));
     }
     if !fields.is_empty() {
         list.push(record(mechanism, "Forces", RecordKind::Forces, fields));
     }
     if mechanism.dynamics.energy {
-        list.push(forces::energy(mechanism));
+        list.push(force_records::energy(mechanism));
     }
     if !mechanism.dynamics.masses.is_empty() {
-        list.push(forces::equations(mechanism));
+        list.push(force_records::equations(mechanism));
     }
     list
 }

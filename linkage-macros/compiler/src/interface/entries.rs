@@ -8,7 +8,7 @@ use crate::interface::records::{RecordKind, Shape};
 
 /// The meaning of an argument for the inputs: each is a number, or a record of several inputs' numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Given {
+pub(crate) enum ArgumentKind {
     Value,
     Rate,
     Acceleration,
@@ -74,7 +74,7 @@ pub(crate) struct EntryRow {
     /// True if rates are given where there is friction: at rest they say which way it acts.
     creeps: bool,
     /// The arguments; loads only where there are any.
-    given: &'static [Given],
+    given: &'static [ArgumentKind],
     pub(super) returns: Returns,
     /// True if it has a `sweep_` over slices.
     pub sweeps: bool,
@@ -95,7 +95,7 @@ pub(crate) struct EntryPoint {
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
     pub point: EntryPoint,
-    pub given: Vec<Given>,
+    pub given: Vec<ArgumentKind>,
     pub result: Shape,
 }
 
@@ -185,10 +185,15 @@ pub(super) fn all(
         forms.iter().flat_map(of_form)
     });
     let entry = |point: EntryPoint| {
-        let form =
-            if point.by_cosine { &[Given::Cosine, Given::Sine][..] } else { &[Given::Value] };
-        let creep: &[_] = if point.row().creeps && has_friction { &[Given::Rate] } else { &[] };
-        let beside = point.row().given.iter().filter(|&&given| has_loads || given != Given::Loads);
+        let form = if point.by_cosine {
+            &[ArgumentKind::Cosine, ArgumentKind::Sine][..]
+        } else {
+            &[ArgumentKind::Value]
+        };
+        let creep: &[_] =
+            if point.row().creeps && has_friction { &[ArgumentKind::Rate] } else { &[] };
+        let beside =
+            point.row().given.iter().filter(|&&given| has_loads || given != ArgumentKind::Loads);
         let given = form.iter().chain(creep).chain(beside).copied().collect();
         Some(Entry { point, given, result: result(point.row())? })
     };
@@ -223,7 +228,7 @@ const VELOCITY: EntryRow = EntryRow {
     name: "velocity",
     name_at: Some("velocity_at"),
     subject: "Velocities of the outputs",
-    given: &[Given::Rate],
+    given: &[ArgumentKind::Rate],
     returns: Returns::Record(RecordKind::Outputs(Order::Velocity)),
     has_cost: false,
     ..POSITION
@@ -234,7 +239,7 @@ const MOTION: EntryRow = EntryRow {
     name: "motion",
     name_at: Some("motion_at"),
     subject: "Positions, velocities and accelerations of the outputs",
-    given: &[Given::Rate, Given::Acceleration],
+    given: &[ArgumentKind::Rate, ArgumentKind::Acceleration],
     returns: Returns::Record(RecordKind::Motion),
     ..POSITION
 };
@@ -270,7 +275,7 @@ const FORCES: EntryRow = EntryRow {
     name_at: Some("forces_at"),
     subject: "Efforts of drives and reactions of joints in motion",
     topic: Topic::Forces,
-    given: &[Given::Rate, Given::Acceleration, Given::Loads],
+    given: &[ArgumentKind::Rate, ArgumentKind::Acceleration, ArgumentKind::Loads],
     returns: Returns::Record(RecordKind::Forces),
     ..POSITION
 };
@@ -281,7 +286,7 @@ const STATICS: EntryRow = EntryRow {
     name_at: Some("statics_at"),
     subject: "Efforts of drives and reactions of joints at rest",
     creeps: true,
-    given: &[Given::Loads],
+    given: &[ArgumentKind::Loads],
     ..FORCES
 };
 
@@ -302,7 +307,7 @@ const ENERGY: EntryRow = EntryRow {
     name: "energy",
     name_at: Some("energy_at"),
     subject: "Kinetic and potential energy",
-    given: &[Given::Rate],
+    given: &[ArgumentKind::Rate],
     returns: Returns::Record(RecordKind::Energy),
     ..FORCES
 };
@@ -313,7 +318,7 @@ const FORWARD_DYNAMICS: EntryRow = EntryRow {
     name_at: None,
     subject: "Second rates of the inputs under given drives",
     topic: Topic::Dynamics,
-    given: &[Given::Rate, Given::Drives, Given::Loads],
+    given: &[ArgumentKind::Rate, ArgumentKind::Drives, ArgumentKind::Loads],
     returns: Returns::OfInputs("acceleration"),
     errors: [
         " `Singular` names an input that moves no mass in this pose; at a dead point of the inputs \
@@ -331,7 +336,7 @@ const EQUATIONS_OF_MOTION: EntryRow = EntryRow {
     analysis: Analysis::EquationsOfMotion,
     name: "equations_of_motion",
     subject: "Equations of motion, mass times second rates = force + drives",
-    given: &[Given::Rate, Given::Loads],
+    given: &[ArgumentKind::Rate, ArgumentKind::Loads],
     returns: Returns::Record(RecordKind::Equations),
     has_cost: false,
     errors: [""; 2],

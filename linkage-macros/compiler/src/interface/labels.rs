@@ -5,12 +5,12 @@ use syn::ext::IdentExt;
 use crate::interface::entries::{Entry, Returns};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, RecordId, Shape, Subject};
-use crate::interface::{Interface, forces};
-use crate::model::mechanism::{Expr, Mechanism, Output, OutputKind};
+use crate::interface::{Interface, force_records};
+use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind, Scalar};
 
 /// The rows of one output, `blade.x` and `blade.y`: called as the declaration writes them, also
 /// where their field has another name, `blade_x`.
-pub(crate) fn rows(mechanism: &Mechanism, output: &Output) -> Vec<String> {
+pub(crate) fn rows(mechanism: &Mechanism, output: &DeclaredOutput) -> Vec<String> {
     let field = output.field.unraw().to_string();
     let ending = |ending: &str| match field.strip_suffix(&format!("_{ending}")) {
         Some(link) => format!("{link}.{ending}"),
@@ -19,7 +19,7 @@ pub(crate) fn rows(mechanism: &Mechanism, output: &Output) -> Vec<String> {
     match &output.kind {
         OutputKind::Margin(_) => vec![ending("margin")],
         OutputKind::Transmission(_) => vec![ending("transmission")],
-        OutputKind::Value { value: Expr::Coordinate(point, _), .. } => {
+        OutputKind::Value { value: Scalar::Coordinate(point, _), .. } => {
             let point = mechanism.points[point.index()].name.unraw().to_string();
             let part = [("_x", ".x"), ("_y", ".y")].into_iter().find_map(|(ending, part)| {
                 (field == format!("{point}{ending}")).then(|| format!("{point}{part}"))
@@ -85,7 +85,7 @@ fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<
         Subject::Outputs(_) | Subject::Efforts(_) => of_shape(interface, mechanism, field.shape),
         Subject::Input(index) => vec![mechanism.inputs[index].name.unraw().to_string()],
         Subject::Load(index) => vec![mechanism.dynamics.loads[index].name.unraw().to_string()],
-        Subject::Effort(index) => forces::rows(&mechanism.dynamics.asked[index]),
+        Subject::Effort(index) => force_records::rows(&mechanism.dynamics.asked[index]),
         Subject::Mass => vec![of_inputs(mechanism, "mass"); mechanism.inputs.len()].concat(),
         Subject::GeneralizedForce => of_inputs(mechanism, "force"),
         Subject::KineticEnergy => vec!["kinetic energy".to_string()],
@@ -94,7 +94,7 @@ fn of_field(interface: &Interface, mechanism: &Mechanism, field: &Field) -> Vec<
 }
 
 /// The components of an output: a direction has two of them for its one row.
-fn of_output(mechanism: &Mechanism, output: &Output, order: Order) -> Vec<String> {
+fn of_output(mechanism: &Mechanism, output: &DeclaredOutput, order: Order) -> Vec<String> {
     let mut rows = rows(mechanism, output);
     let parts = Quantity::of(&output.kind).layout(order).parts;
     if parts.len() > rows.len() {

@@ -7,7 +7,7 @@
 mod catalogue;
 pub(crate) mod components;
 pub(crate) mod entries;
-pub(crate) mod forces;
+pub(crate) mod force_records;
 pub(crate) mod labels;
 pub(crate) mod quantity;
 pub(crate) mod records;

@@ -40,7 +40,7 @@ pub(crate) enum Quantity {
 
 /// A component.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) struct Part {
+pub(crate) struct QuantityPart {
     /// Its field in the record; nothing where there is no record.
     pub field: &'static str,
     /// The end of the name of the local that holds it.
@@ -53,7 +53,7 @@ pub(crate) struct Layout {
     /// The record of the run-time crate; none for a plain number.
     pub record: Option<&'static str>,
     /// The components, in the order of the record's fields and of an entry point's sinks.
-    pub parts: &'static [Part],
+    pub parts: &'static [QuantityPart],
     /// The scalar rows; of a direction the angle, at every order. A number's row has no name of
     /// its own.
     pub rows: &'static [&'static str],
@@ -102,8 +102,8 @@ impl Quantity {
     }
 }
 
-const fn part(field: &'static str, local: &'static str) -> Part {
-    Part { field, local }
+const fn part(field: &'static str, local: &'static str) -> QuantityPart {
+    QuantityPart { field, local }
 }
 
 const POINT: [Layout; 3] = [

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span};
 use syn::ext::IdentExt;
 
 use crate::interface::quantity::{Order, Quantity};
-use crate::model::mechanism::{Mechanism, Output, OutputKind};
+use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind};
 
 /// An index into `Interface::records`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -152,7 +152,7 @@ pub(crate) enum Subject {
 }
 
 /// True if an output exists even where the mechanism has no pose.
-pub(crate) fn is_margin(output: &Output) -> bool {
+pub(crate) fn is_margin(output: &DeclaredOutput) -> bool {
     matches!(output.kind, OutputKind::Margin(_) | OutputKind::Transmission(_))
 }
 

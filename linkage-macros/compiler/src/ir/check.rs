@@ -101,7 +101,7 @@ pub(crate) enum Least {
 
 /// A condition's row.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Row {
+pub(crate) struct CheckRow {
     /// The condition's type in the run-time crate.
     pub diagnosis: &'static str,
     /// The comparison of the fast path, if it makes one.
@@ -113,9 +113,9 @@ pub(crate) struct Row {
 }
 
 impl Check {
-    pub(crate) fn row(&self) -> Row {
+    pub(crate) fn row(&self) -> CheckRow {
         use Comparison::{Above, AtLeast, Away};
-        let row = |diagnosis, comparison, reads_operands, holds| Row {
+        let row = |diagnosis, comparison, reads_operands, holds| CheckRow {
             diagnosis,
             comparison,
             reads_operands,

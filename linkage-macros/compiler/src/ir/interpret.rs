@@ -41,7 +41,7 @@ pub(crate) trait Number: Clone {
 }
 
 /// Values given to the program.
-pub(crate) struct Given<N> {
+pub(crate) struct ProgramValues<N> {
     /// Value, rate and second rate of each input.
     pub inputs: Vec<[N; 3]>,
     pub params: Vec<N>,
@@ -52,7 +52,7 @@ pub(crate) struct Given<N> {
     pub unit: Option<[N; 2]>,
 }
 
-impl<N: Number> Given<N> {
+impl<N: Number> ProgramValues<N> {
     fn cos(&self, input: u32) -> N {
         let of_value = || self.inputs[input as usize][0].cos();
         self.unit.as_ref().map_or_else(of_value, |[cos, _]| cos.clone())
@@ -65,7 +65,7 @@ impl<N: Number> Given<N> {
 }
 
 /// The value of every node.
-pub(crate) fn interpret<N: Number>(program: &Program, given: &Given<N>) -> Vec<N> {
+pub(crate) fn interpret<N: Number>(program: &Program, given: &ProgramValues<N>) -> Vec<N> {
     let graph = &program.graph;
     let tried = tried(graph);
     let mut values: Vec<N> = Vec::with_capacity(graph.len());
@@ -97,7 +97,7 @@ pub(crate) fn jams<N: Number>(graph: &Graph, values: &[N]) -> Option<String> {
 /// such that it converges.
 fn root<N: Number>(
     program: &Program,
-    given: &Given<N>,
+    given: &ProgramValues<N>,
     values: &mut [N],
     sought: &RootSearch,
 ) -> N {
@@ -128,7 +128,7 @@ fn root<N: Number>(
 /// The middle of a small interval around the root, at whose ends the equation changes its sign.
 fn halved<N: Number>(
     program: &Program,
-    given: &Given<N>,
+    given: &ProgramValues<N>,
     values: &mut [N],
     sought: &RootSearch,
     nodes: &[(Id, Node)],
@@ -161,7 +161,7 @@ const STEPS: usize = 14;
 
 fn value<N: Number>(
     program: &Program,
-    given: &Given<N>,
+    given: &ProgramValues<N>,
     values: &[N],
     node: Node,
     trial: Option<&N>,

@@ -4,13 +4,14 @@ use super::nesting::{nest, reads};
 use super::overflow::Overflow;
 use super::plan::{Plan, Strategy};
 use super::routine::{
-    ArgumentAdapter, Compute, FinitenessChecks, Locals, Lowered, Routine, Search, Stage, Statement,
+    ArgumentAdapter, Compute, FinitenessChecks, Instruction, Locals, Lowered, Routine, Search,
+    Stage,
 };
 use super::schedule::{Schedule, defines};
 use super::searches::searches;
 use super::witnesses::witnesses;
-use super::{constants, limits, locals};
-use crate::interface::entries::Given;
+use super::{constants, input_limits, locals};
+use crate::interface::entries::ArgumentKind;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::cost::{Costs, Operations};
@@ -59,12 +60,12 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
     // The solver's own searches are given other values: those of its own graph.
     let searches = searches(mechanism, program, "placed_root");
     let builder = Builder { program, interface, locals: Locals::default(), searches };
-    let drives = mechanism.dynamics.driven().map(|_| Given::Drives);
-    let loads = (!mechanism.dynamics.loads.is_empty()).then_some(Given::Loads);
-    let forces: Vec<Given> =
-        [Given::Value, Given::Rate].into_iter().chain(drives).chain(loads).collect();
+    let drives = mechanism.dynamics.driven().map(|_| ArgumentKind::Drives);
+    let loads = (!mechanism.dynamics.loads.is_empty()).then_some(ArgumentKind::Loads);
+    let forces: Vec<ArgumentKind> =
+        [ArgumentKind::Value, ArgumentKind::Rate].into_iter().chain(drives).chain(loads).collect();
     // `PLACED` and `APPLIED`.
-    let kinds = [("placed_", &[Given::Value][..]), ("forces_applied_", &forces)];
+    let kinds = [("placed_", &[ArgumentKind::Value][..]), ("forces_applied_", &forces)];
     let routines = kinds
         .into_iter()
         .zip(&program.answers)
@@ -78,9 +79,9 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
 
 /// Puts clearances behind the last statement of the stage that they need. Operands used only by clearances
 /// belong to them: a later statement that needs one computes it again.
-fn tell(schedule: &Schedule<'_>, clearances: &[Id], stage: &mut Vec<Statement>) {
+fn tell(schedule: &Schedule<'_>, clearances: &[Id], stage: &mut Vec<Instruction>) {
     let statements = schedule.clone().stage(clearances);
-    let told = Statement::ReportClearances { statements, clearances: clearances.to_vec() };
+    let told = Instruction::ReportClearances { statements, clearances: clearances.to_vec() };
     let mut needed = Set::default();
     schedule.for_uses(&told, &mut |id| {
         needed.insert(id);
@@ -121,14 +122,14 @@ impl Builder<'_> {
         let given = self.interface.entry(last).given.clone();
         let name = match (entries, given.first()) {
             ([only], _) => format!("formulas_{}_", self.interface.entry(*only).name()),
-            (_, Some(Given::Cosine)) => "formulas_at_".to_string(),
+            (_, Some(ArgumentKind::Cosine)) => "formulas_at_".to_string(),
             _ => "formulas_".to_string(),
         };
         let (graph, searches) = (self.graph(), &self.searches);
         let mut schedule =
             Schedule::new(graph, &self.locals, Path::Slow, overflow, searches, self.sinks(last));
         let clear = self.clear_in(entries);
-        let mut statements: Vec<Vec<Statement>> = Vec::new();
+        let mut statements: Vec<Vec<Instruction>> = Vec::new();
         for &entry in entries {
             let mut stage = schedule.stage(&self.needed(entry));
             if statements.is_empty() && !clear.is_empty() {
@@ -174,12 +175,12 @@ impl Builder<'_> {
     fn clearances(&self) -> Option<Routine> {
         let has_rates = self.program.clearances.iter().any(|clearance| clearance.rates.is_some());
         let sinks: Vec<Id> = self.program.clearances.iter().flat_map(Clearance::sinks).collect();
-        let given = &[Given::Value, Given::Rate];
+        let given = &[ArgumentKind::Value, ArgumentKind::Rate];
         has_rates.then(|| self.listing("clearances", given, Path::Unchecked, &sinks))
     }
 
     /// A routine that returns the sinks in a list.
-    fn listing(&self, name: &str, given: &[Given], path: Path, sinks: &[Id]) -> Routine {
+    fn listing(&self, name: &str, given: &[ArgumentKind], path: Path, sinks: &[Id]) -> Routine {
         let mut schedule =
             Schedule::new(self.graph(), &self.locals, path, None, &self.searches, sinks);
         let needed = match path {
@@ -211,7 +212,7 @@ impl Builder<'_> {
         let limits = overflow.map(|overflow| overflow.limits(graph, sinks));
         let takes_cosine = self.interface.entry(entry).takes_cosine();
         FinitenessChecks {
-            finite: limits::finite(&witnesses, limits, takes_cosine),
+            finite: input_limits::finite(&witnesses, limits, takes_cosine),
             given: read.collect(),
             results: results.map(|(at, _)| at).collect(),
         }

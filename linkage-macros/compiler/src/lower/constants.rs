@@ -1,7 +1,7 @@
 //! Constants that a function reads more than once: bound to names where it begins. Each is a call for
 //! the compiler, a fifth of all that a mechanism's formulas make, and nothing at run time.
 
-use super::routine::{Locals, Stage, Statement, StraightAmounts};
+use super::routine::{Instruction, Locals, Stage, StraightAmounts};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 
@@ -28,24 +28,24 @@ struct Count<'g> {
 }
 
 impl Count<'_> {
-    fn statements(&mut self, statements: &[Statement]) {
+    fn statements(&mut self, statements: &[Instruction]) {
         for statement in statements {
             match statement {
-                Statement::Let(id) | Statement::Length { id, .. } => self.operands(*id),
-                Statement::Check(condition) => {
+                Instruction::Let(id) | Instruction::Length { id, .. } => self.operands(*id),
+                Instruction::Check(condition) => {
                     self.value(condition.value);
                     condition.operands.iter().for_each(|&operand| self.value(operand));
                 }
-                Statement::Amounts(amounts) => {
+                Instruction::Amounts(amounts) => {
                     let straight = amounts.straight.iter().flat_map(StraightAmounts::values);
                     let all = straight.chain(&amounts.starts).chain(&amounts.rows);
                     all.for_each(|&id| self.value(id));
                 }
-                Statement::ReportClearances { statements, clearances } => {
+                Instruction::ReportClearances { statements, clearances } => {
                     self.statements(statements);
                     clearances.iter().for_each(|&id| self.value(id));
                 }
-                Statement::SinCos { .. } | Statement::Find { .. } => {}
+                Instruction::SinCos { .. } | Instruction::Find { .. } => {}
             }
         }
     }

@@ -5,14 +5,14 @@ use std::collections::HashSet;
 
 use syn::ext::IdentExt;
 
-use super::routine::{Locals, Statement};
+use super::routine::{Instruction, Locals};
 use super::schedule::defines;
 use crate::interface::entries::{Analysis, EntryPoint};
 use crate::interface::quantity::{Order, Quantity};
 use crate::ir::graph::Graph;
 use crate::ir::hash::Map;
 use crate::ir::program::Program;
-use crate::model::mechanism::{Mechanism, Output};
+use crate::model::mechanism::{DeclaredOutput, Mechanism};
 
 /// The names of the locals that hold components of results.
 pub(super) fn named(mechanism: &Mechanism, program: &Program) -> Locals {
@@ -40,7 +40,7 @@ pub(super) fn named(mechanism: &Mechanism, program: &Program) -> Locals {
 pub(super) fn with_letters<'s>(
     components: &Locals,
     graph: &Graph,
-    statements: impl IntoIterator<Item = &'s Statement>,
+    statements: impl IntoIterator<Item = &'s Instruction>,
 ) -> Locals {
     let mut locals = components.clone();
     let mut taken: HashSet<String> = components.names.values().cloned().collect();
@@ -60,7 +60,7 @@ pub(super) fn with_letters<'s>(
 
 /// Names of the components of all outputs at one order, in the order of the sinks.
 fn components(mechanism: &Mechanism, order: Order) -> Vec<String> {
-    let of = |output: &Output| {
+    let of = |output: &DeclaredOutput| {
         let field = output.field.unraw().to_string().to_lowercase();
         let parts = Quantity::of(&output.kind).layout(order).parts;
         parts.iter().map(move |part| single_underscores(&format!("{field}_{}_", part.local)))

@@ -4,7 +4,7 @@
 //! by the statement behind it alone, is therefore written inside of that: `a * b + c` in place of two
 //! lines. No operation changes its place, so that the machine code stays what it was.
 
-use super::routine::{Locals, Statement};
+use super::routine::{Instruction, Locals};
 use super::schedule::Schedule;
 use crate::ir::graph::Id;
 
@@ -12,7 +12,11 @@ use crate::ir::graph::Id;
 const MOST: usize = 4;
 
 /// Number of reads of each value of the graph as a local.
-pub(super) fn reads(schedule: &Schedule<'_>, stages: &[Vec<Statement>], sinks: &[Id]) -> Vec<u32> {
+pub(super) fn reads(
+    schedule: &Schedule<'_>,
+    stages: &[Vec<Instruction>],
+    sinks: &[Id],
+) -> Vec<u32> {
     let mut reads = vec![0; schedule.graph.len()];
     let mut read = |id: Id| reads[id.index()] += 1;
     stages.iter().flatten().for_each(|statement| schedule.for_uses(statement, &mut read));
@@ -26,23 +30,23 @@ pub(super) fn nest(
     schedule: &Schedule<'_>,
     reads: &[u32],
     locals: &mut Locals,
-    statements: Vec<Statement>,
-) -> Vec<Statement> {
+    statements: Vec<Instruction>,
+) -> Vec<Instruction> {
     // Each with the number of its operations.
-    let mut kept: Vec<(Statement, usize)> = Vec::with_capacity(statements.len());
+    let mut kept: Vec<(Instruction, usize)> = Vec::with_capacity(statements.len());
     for mut statement in statements {
         let mut operations = 1;
         let mut operands = Vec::new();
         match &mut statement {
-            Statement::Let(_) => {
+            Instruction::Let(_) => {
                 schedule.for_uses(&statement, &mut |operand| operands.push(operand));
             }
-            Statement::ReportClearances { statements, .. } => {
+            Instruction::ReportClearances { statements, .. } => {
                 *statements = nest(schedule, reads, locals, std::mem::take(statements));
             }
             _ => {}
         }
-        while let Some(&(Statement::Let(last), within)) = kept.last()
+        while let Some(&(Instruction::Let(last), within)) = kept.last()
             && reads[last.index()] == 1
             && locals.names.get(&last).is_none()
             && operations + within <= MOST

@@ -9,7 +9,7 @@
 //! This saves a fifth of a solver's instructions: `measurements.md` of the run-time crate says how
 //! that was counted.
 
-use super::limits::InputLimits;
+use super::input_limits::InputLimits;
 use super::ranges::{Assumed, Thresholds, Values};
 use super::routine::Threshold;
 use super::witnesses::witnesses;

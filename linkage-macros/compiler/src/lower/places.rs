@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::interface::Interface;
-use crate::interface::entries::Given;
+use crate::interface::entries::ArgumentKind;
 use crate::ir::graph::Node;
 use crate::model::mechanism::Mechanism;
 
@@ -13,26 +13,27 @@ pub(crate) enum Place<'m> {
     /// A field of the solver.
     Param(&'m Ident),
     /// An argument, by its index, or a part of it.
-    Argument(usize, Part<'m>),
+    Argument(usize, ArgumentPart<'m>),
 }
 
 /// The part of an argument that is read.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Part<'m> {
+pub(crate) enum ArgumentPart<'m> {
     All,
     Field(&'m Ident),
     Index(u32),
 }
 
 /// The index of the argument that a node reads.
-pub(crate) fn argument(given: &[Given], node: Node) -> Option<usize> {
+pub(crate) fn argument(given: &[ArgumentKind], node: Node) -> Option<usize> {
     let wanted = match node {
-        Node::InputCos(_) => Given::Cosine,
-        Node::InputSin(_) => Given::Sine,
-        Node::Load(_) => Given::Loads,
-        Node::Drive(_) => Given::Drives,
+        Node::InputCos(_) => ArgumentKind::Cosine,
+        Node::InputSin(_) => ArgumentKind::Sine,
+        Node::Load(_) => ArgumentKind::Loads,
+        Node::Drive(_) => ArgumentKind::Drives,
         Node::Input { order, .. } => {
-            [Given::Value, Given::Rate, Given::Acceleration][usize::from(order)]
+            [ArgumentKind::Value, ArgumentKind::Rate, ArgumentKind::Acceleration]
+                [usize::from(order)]
         }
         _ => return None,
     };
@@ -43,7 +44,7 @@ pub(crate) fn argument(given: &[Given], node: Node) -> Option<usize> {
 pub(crate) fn place<'m>(
     mechanism: &'m Mechanism,
     interface: &Interface,
-    given: &[Given],
+    given: &[ArgumentKind],
     node: Node,
 ) -> Option<Place<'m>> {
     if let Node::Param(param) = node {
@@ -51,13 +52,13 @@ pub(crate) fn place<'m>(
     }
     let part = match node {
         Node::Input { input, .. } if interface.inputs.is_some() => {
-            Part::Field(&mechanism.inputs[input as usize].name)
+            ArgumentPart::Field(&mechanism.inputs[input as usize].name)
         }
         Node::Load(load) if interface.loads.is_some() => {
-            Part::Field(&mechanism.dynamics.loads[load as usize].name)
+            ArgumentPart::Field(&mechanism.dynamics.loads[load as usize].name)
         }
-        Node::Drive(input) if interface.inputs.is_some() => Part::Index(input),
-        _ => Part::All,
+        Node::Drive(input) if interface.inputs.is_some() => ArgumentPart::Index(input),
+        _ => ArgumentPart::All,
     };
     Some(Place::Argument(argument(given, node)?, part))
 }

@@ -4,7 +4,7 @@
 
 use syn::ext::IdentExt;
 
-use crate::interface::entries::Given;
+use crate::interface::entries::ArgumentKind;
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::check::{Check, Comparison};
@@ -81,7 +81,7 @@ pub(crate) enum ArgumentAdapter {
 /// A function that holds formulas.
 pub(crate) struct Routine {
     pub name: String,
-    pub given: Vec<Given>,
+    pub given: Vec<ArgumentKind>,
     /// Result of all stages together.
     pub result: Shape,
     pub path: Path,
@@ -102,11 +102,11 @@ pub(crate) struct Routine {
 pub(crate) struct Stage {
     pub result: Shape,
     pub sinks: Vec<Id>,
-    pub statements: Vec<Statement>,
+    pub statements: Vec<Instruction>,
 }
 
 #[derive(Clone, Debug)]
-pub(crate) enum Statement {
+pub(crate) enum Instruction {
     Let(Id),
     /// Sine and cosine of one angle in one call, at the place of whichever comes first.
     SinCos {
@@ -132,7 +132,7 @@ pub(crate) enum Statement {
     /// Where clearances are asked for: values and scales in turn, and what they need beside. There it
     /// ends.
     ReportClearances {
-        statements: Vec<Statement>,
+        statements: Vec<Instruction>,
         clearances: Vec<Id>,
     },
 }

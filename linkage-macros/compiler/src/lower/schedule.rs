@@ -3,7 +3,7 @@
 
 use super::checks;
 use super::overflow::Overflow;
-use super::routine::{Locals, Search, Statement, StraightAmounts, Threshold, is_leaf};
+use super::routine::{Instruction, Locals, Search, StraightAmounts, Threshold, is_leaf};
 use crate::function::Function;
 use crate::ir::graph::{Check, Graph, GuardId, Id, Node};
 use crate::ir::hash::Map;
@@ -63,7 +63,7 @@ impl<'a> Schedule<'a> {
     }
 
     /// Statements for these sinks, beyond those scheduled before.
-    pub(super) fn stage(&mut self, sinks: &[Id]) -> Vec<Statement> {
+    pub(super) fn stage(&mut self, sinks: &[Id]) -> Vec<Instruction> {
         let graph = self.graph;
         let live = live(graph, sinks, self.path);
         let mut pairs = pairs(live_nodes(graph, &live));
@@ -81,7 +81,7 @@ impl<'a> Schedule<'a> {
                 Node::Apply2(Function::Hypot, ..) if is_measured => {
                     let known = self.overflow.map(|overflow| overflow.least_square(id));
                     let least_square = known.unwrap_or(Threshold::SmallestSquare);
-                    Some(Statement::Length { id, least_square })
+                    Some(Instruction::Length { id, least_square })
                 }
                 _ if is_leaf(node) => {
                     self.reads.push(node);
@@ -92,7 +92,7 @@ impl<'a> Schedule<'a> {
                 Node::Apply(Function::Sin | Function::Cos, angle) => {
                     take(&mut pairs, angle).map(|pair| {
                         let SinCosPair { sin, cos } = pair;
-                        Statement::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
+                        Instruction::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
                     })
                 }
                 // It comes with its root.
@@ -100,7 +100,7 @@ impl<'a> Schedule<'a> {
                 Node::Root(_) => Some(self.find(id)),
                 Node::Guard(..) if self.path == Path::Unchecked => None,
                 Node::Guard(value, guard) => Some(self.asked(&live, id, value, guard)),
-                _ => Some(Statement::Let(id)),
+                _ => Some(Instruction::Let(id)),
             };
             statements.extend(statement);
         }
@@ -108,24 +108,24 @@ impl<'a> Schedule<'a> {
     }
 
     /// The condition of a value. Amounts of friction that depend on each other are found at the first.
-    fn asked(&mut self, live: &[bool], id: Id, value: Id, guard: GuardId) -> Statement {
+    fn asked(&mut self, live: &[bool], id: Id, value: Id, guard: GuardId) -> Instruction {
         let condition = self.graph.condition(guard);
         let Check::Amount(contacts) = &condition.check else {
             let condition = checks::condition(self.graph, self.overflow, id, value, condition);
-            return Statement::Check(condition);
+            return Instruction::Check(condition);
         };
         let amounts = checks::amounts(self.graph, live, condition, contacts);
         for id in amounts.ids.iter().flatten() {
             self.done[id.index()] = true;
         }
-        Statement::Amounts(amounts)
+        Instruction::Amounts(amounts)
     }
 
     /// The search for a root; the size may be wanted by a later stage.
-    fn find(&self, root: Id) -> Statement {
+    fn find(&self, root: Id) -> Instruction {
         let search = self.searches.iter().position(|search| search.root == root);
         let search = search.expect("every root of the program has a search");
-        Statement::Find { search, root, size: self.graph.find(Node::RootScale(root)) }
+        Instruction::Find { search, root, size: self.graph.find(Node::RootScale(root)) }
     }
 
     /// Conditions are, and angles that are not constant: a large one takes more than the fast
@@ -147,25 +147,27 @@ impl<'a> Schedule<'a> {
     }
 
     /// Tells each local that a statement reads, in the order in which it does.
-    pub(super) fn for_uses(&self, statement: &Statement, each: &mut dyn FnMut(Id)) {
+    pub(super) fn for_uses(&self, statement: &Instruction, each: &mut dyn FnMut(Id)) {
         match statement {
-            Statement::Let(id) | Statement::Length { id, .. } => {
+            Instruction::Let(id) | Instruction::Length { id, .. } => {
                 let node = self.graph.node(*id);
                 node.for_operands(&mut |operand| self.for_locals(&[operand], each));
             }
-            Statement::SinCos { angle, .. } => self.for_locals(&[*angle], each),
-            Statement::Find { search, .. } => self.for_locals(&self.searches[*search].given, each),
-            Statement::Check(condition) => {
+            Instruction::SinCos { angle, .. } => self.for_locals(&[*angle], each),
+            Instruction::Find { search, .. } => {
+                self.for_locals(&self.searches[*search].given, each)
+            }
+            Instruction::Check(condition) => {
                 self.for_locals(&[condition.value], each);
                 self.for_locals(&condition.operands, each);
             }
-            Statement::Amounts(amounts) => {
+            Instruction::Amounts(amounts) => {
                 let straight = amounts.straight.iter().flat_map(StraightAmounts::values);
                 straight.for_each(|&id| self.for_locals(&[id], each));
                 self.for_locals(&amounts.starts, each);
                 self.for_locals(&amounts.rows, each);
             }
-            Statement::ReportClearances { statements, clearances } => {
+            Instruction::ReportClearances { statements, clearances } => {
                 statements.iter().for_each(|statement| self.for_uses(statement, each));
                 self.for_locals(clearances, each);
             }
@@ -174,14 +176,14 @@ impl<'a> Schedule<'a> {
 }
 
 /// The locals that a statement binds.
-pub(super) fn defines(statement: &Statement) -> Vec<Id> {
+pub(super) fn defines(statement: &Instruction) -> Vec<Id> {
     match statement {
-        Statement::Let(id) | Statement::Length { id, .. } => vec![*id],
-        Statement::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
-        Statement::Check(condition) => vec![condition.id],
-        Statement::Amounts(amounts) => amounts.ids.iter().flatten().copied().collect(),
-        Statement::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
-        Statement::ReportClearances { .. } => Vec::new(),
+        Instruction::Let(id) | Instruction::Length { id, .. } => vec![*id],
+        Instruction::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
+        Instruction::Check(condition) => vec![condition.id],
+        Instruction::Amounts(amounts) => amounts.ids.iter().flatten().copied().collect(),
+        Instruction::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
+        Instruction::ReportClearances { .. } => Vec::new(),
     }
 }
 
@@ -230,7 +232,7 @@ mod tests {
             let mut schedule = Schedule::new(&graph, &locals, path, None, &[], &[sink]);
             let statements = schedule.stage(&[sink]);
             let asked = statements.iter().filter_map(|statement| match statement {
-                Statement::Length { id, least_square } => Some((*id, *least_square)),
+                Instruction::Length { id, least_square } => Some((*id, *least_square)),
                 _ => None,
             });
             asked.collect::<Vec<_>>()

@@ -1,7 +1,7 @@
 //! Searches for roots: one function for every root of the program, which position, velocity and motion
 //! share. It is given what no trial changes, so that a trial computes nothing else.
 
-use super::routine::{Locals, Routine, Search, Stage, Statement};
+use super::routine::{Instruction, Locals, Routine, Search, Stage};
 use super::schedule::{pairs, take};
 use super::{apart, locals, unique_root};
 use crate::function::Function;
@@ -83,14 +83,14 @@ fn search(graph: &Graph, root: Id, sought: RootSearch, name: String) -> Search {
         statements.extend(match node {
             Node::Trial(_) | Node::Neg(_) => None,
             Node::Apply(Function::Sin | Function::Cos, angle) => {
-                take(&mut pairs, angle).map(|pair| Statement::SinCos {
+                take(&mut pairs, angle).map(|pair| Instruction::SinCos {
                     angle,
                     sin: pair.sin,
                     cos: pair.cos,
                     is_checked: false,
                 })
             }
-            _ => Some(Statement::Let(id)),
+            _ => Some(Instruction::Let(id)),
         });
     }
     let locals = Locals { given: given.iter().copied().collect(), ..Locals::default() };

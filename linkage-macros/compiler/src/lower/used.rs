@@ -1,7 +1,7 @@
 //! The values that one path of a routine reads. The fast path compares a condition's value, the slow path looks
 //! at its operands: a language that writes a routine once for each path writes for each what it reads.
 
-use super::routine::{Lowered, Reading, Routine, Statement};
+use super::routine::{Instruction, Lowered, Reading, Routine};
 use crate::ir::graph::{Id, Node};
 use crate::ir::hash::Set;
 
@@ -17,7 +17,7 @@ pub(crate) enum Asks {
 /// The part of a routine that one path reads.
 pub(crate) struct Used {
     /// The statements of each stage, without those that bind what nothing reads, and without clearances.
-    pub stages: Vec<Vec<Statement>>,
+    pub stages: Vec<Vec<Instruction>>,
     locals: Set<Id>,
     leaves: Vec<Node>,
     constants: Set<Node>,
@@ -26,10 +26,10 @@ pub(crate) struct Used {
 impl Used {
     pub(crate) fn on(lowered: &Lowered<'_>, routine: &Routine, asks: Asks) -> Self {
         let mut walk = Backwards { lowered, routine, asks, used: Self::nothing() };
-        let mut stages: Vec<Vec<Statement>> = Vec::new();
+        let mut stages: Vec<Vec<Instruction>> = Vec::new();
         for stage in routine.stages.iter().rev() {
             stage.sinks.iter().for_each(|&sink| walk.value(sink));
-            let mut kept: Vec<Statement> = Vec::new();
+            let mut kept: Vec<Instruction> = Vec::new();
             for statement in stage.statements.iter().rev() {
                 if walk.needs(statement) {
                     walk.statement(statement);
@@ -64,10 +64,10 @@ impl Used {
 
 /// A stage that needs the sine of an angle whose cosine an earlier one has bound binds both: here the sine
 /// alone, as few languages let a name be bound again.
-fn bind_once(stages: &mut [Vec<Statement>]) {
+fn bind_once(stages: &mut [Vec<Instruction>]) {
     let mut bound = Set::default();
-    let mut binds = |statement: &mut Statement| {
-        let Statement::SinCos { sin, cos, .. } = statement else { return true };
+    let mut binds = |statement: &mut Instruction| {
+        let Instruction::SinCos { sin, cos, .. } = statement else { return true };
         for part in [&mut *sin, &mut *cos] {
             *part = part.filter(|&id| bound.insert(id));
         }
@@ -86,31 +86,31 @@ struct Backwards<'a> {
 
 impl Backwards<'_> {
     /// True if the statement binds something that is read, or asks something.
-    fn needs(&self, statement: &Statement) -> bool {
+    fn needs(&self, statement: &Instruction) -> bool {
         let reads = |id: &Id| self.used.reads(*id);
         match statement {
-            Statement::Let(id) => reads(id),
-            Statement::SinCos { sin, cos, is_checked, .. } => {
+            Instruction::Let(id) => reads(id),
+            Instruction::SinCos { sin, cos, is_checked, .. } => {
                 *is_checked || sin.iter().chain(cos).any(reads)
             }
-            Statement::Length { id, .. } => self.asks == Asks::Compares || reads(id),
-            Statement::Check(condition) => {
+            Instruction::Length { id, .. } => self.asks == Asks::Compares || reads(id),
+            Instruction::Check(condition) => {
                 let compares = condition.comparison.is_some() || condition.above_rounding.is_some();
                 self.asks == Asks::Diagnoses
                     || condition.check.is_of_both_paths()
                     || compares
                     || reads(&condition.id)
             }
-            Statement::Find { .. } | Statement::Amounts(_) => true,
-            Statement::ReportClearances { .. } => false,
+            Instruction::Find { .. } | Instruction::Amounts(_) => true,
+            Instruction::ReportClearances { .. } => false,
         }
     }
 
-    fn statement(&mut self, statement: &Statement) {
+    fn statement(&mut self, statement: &Instruction) {
         match statement {
-            Statement::Let(id) | Statement::Length { id, .. } => self.operands(*id),
-            Statement::SinCos { angle, .. } => self.value(*angle),
-            Statement::Check(condition) => {
+            Instruction::Let(id) | Instruction::Length { id, .. } => self.operands(*id),
+            Instruction::SinCos { angle, .. } => self.value(*angle),
+            Instruction::Check(condition) => {
                 self.value(condition.value);
                 let reads = condition.check.is_of_both_paths()
                     || self.asks == Asks::Diagnoses && condition.check.row().reads_operands;
@@ -121,18 +121,18 @@ impl Backwards<'_> {
                     condition.above_rounding.into_iter().for_each(|spread| self.value(spread));
                 }
             }
-            Statement::Amounts(amounts) => match (&amounts.straight, self.asks) {
+            Instruction::Amounts(amounts) => match (&amounts.straight, self.asks) {
                 (Some(straight), Asks::Compares) => {
                     straight.values().for_each(|&id| self.value(id));
                 }
                 _ => amounts.starts.iter().chain(&amounts.rows).for_each(|&id| self.value(id)),
             },
-            Statement::Find { search, .. } => {
+            Instruction::Find { search, .. } => {
                 let search = &self.lowered.searches[*search];
                 search.given.iter().for_each(|&given| self.value(given));
                 self.used.leaves.extend(search.sought.trend.param().map(Node::Param));
             }
-            Statement::ReportClearances { .. } => {}
+            Instruction::ReportClearances { .. } => {}
         }
     }
 

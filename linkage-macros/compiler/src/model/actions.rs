@@ -7,12 +7,12 @@ use crate::diagnostics::nearest;
 use crate::syntax::tree::{self, Action, Declaration, ExprKind, StatementKind};
 
 use super::Resolver;
-use super::dynamics::{Axes, Dynamics, Force, Load, Torque};
+use super::acting::{Axes, Dynamics, Force, Load, Torque};
 use super::inputs::{add_names, follow_lets};
-use super::mechanism::{Body, Carrier, Dimension, Expr, LoadId, PointId};
+use super::mechanism::{Body, Carrier, Dimension, LoadId, PointId, Scalar};
 use super::names::{Entity, Kind};
 use super::references::{expressions, names_in};
-use super::springs::is_rate;
+use super::spring_damper::is_rate;
 use super::units::unit;
 
 const INSIDE: &str = "what acts inside a body moves nothing";
@@ -139,7 +139,7 @@ impl Resolver<'_> {
     }
 
     /// The value of a force or a torque: loads may stand in it.
-    pub(super) fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Expr> {
+    pub(super) fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Scalar> {
         let value = self.freely(|resolver| resolver.scalar(expr, dimension)).0?;
         self.is_linear_in_pull(expr, &value)?;
         Some(value)
@@ -300,6 +300,6 @@ fn is_mentioned(tree: &Declaration, name: &str) -> bool {
     is_mentioned
 }
 
-fn torque(on: Option<Carrier>, against: Option<Carrier>, value: Option<Expr>) -> Option<Torque> {
+fn torque(on: Option<Carrier>, against: Option<Carrier>, value: Option<Scalar>) -> Option<Torque> {
     Some(Torque { on: on?, against, value: value? })
 }

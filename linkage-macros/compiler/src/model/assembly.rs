@@ -6,10 +6,10 @@ use crate::exact::Exact;
 use crate::reach::absolute;
 
 use super::Resolver;
+use super::dyads::Parts;
 use super::folding::{shown, shown_in_degrees};
-use super::groups::Parts;
 use super::jointed::Dimensions;
-use super::mechanism::{AngleSum, Carrier, Expr, GuideId, Length, LinkId, PointId};
+use super::mechanism::{AngleSum, Carrier, GuideId, Length, LinkId, PointId, Scalar};
 
 impl AngleSum {
     /// The angle, where it is known when the mechanism is declared.
@@ -19,12 +19,12 @@ impl AngleSum {
 }
 
 /// Both values, where both are constant.
-pub(super) fn constants([x, y]: &[Expr; 2]) -> Option<[Exact; 2]> {
+pub(super) fn constants([x, y]: &[Scalar; 2]) -> Option<[Exact; 2]> {
     Some([x.constant()?.clone(), y.constant()?.clone()])
 }
 
 /// A length and an angle as coordinates, where both are constant.
-pub(super) fn polar(radius: &Expr, angle: &Expr) -> Option<[Exact; 2]> {
+pub(super) fn polar(radius: &Scalar, angle: &Scalar) -> Option<[Exact; 2]> {
     let (radius, angle) = (radius.constant()?, angle.constant()?);
     Some([radius.mul(&angle.cos()), radius.mul(&angle.sin())])
 }
@@ -62,7 +62,7 @@ impl Resolver<'_> {
         pivot: PointId,
         pin: PointId,
         angle: &AngleSum,
-        length: &Expr,
+        length: &Scalar,
     ) {
         let place = self.facts.place(pivot, Carrier::Ground).zip(angle.constant());
         if let (Some(([x, y], angle)), Some(length)) = (place, length.constant()) {
@@ -76,8 +76,8 @@ impl Resolver<'_> {
         &mut self,
         guide: GuideId,
         pin: PointId,
-        slide: &Expr,
-        offset: &Expr,
+        slide: &Scalar,
+        offset: &Scalar,
     ) {
         let guide = &self.facts.guides[guide.index()];
         if let (Some(line), Some(slide), Some(offset)) =
@@ -192,7 +192,7 @@ impl Resolver<'_> {
         parts: &Parts,
         (outer, guide): (PointId, GuideId),
         length: &Length,
-        offset: &Expr,
+        offset: &Scalar,
     ) -> Option<()> {
         let Some((line, place)) = self.facts.line_and_place(guide, outer) else {
             return Some(());
@@ -218,7 +218,7 @@ impl Resolver<'_> {
         &mut self,
         parts: &Parts,
         outer: [PointId; 2],
-        offset: &Expr,
+        offset: &Scalar,
     ) -> Option<()> {
         let Some([dx, dy]) = self.facts.between(outer[0], outer[1]) else {
             return Some(());

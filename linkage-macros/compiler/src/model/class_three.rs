@@ -8,7 +8,8 @@ use proc_macro2::Ident;
 
 use crate::syntax::anatomy::{GroupSpec, JointRule};
 use crate::syntax::tree::{
-    Declaration, Expr, ExprKind, Field, FieldValue, Group, Leg, Statement, StatementKind,
+    Declaration, Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Leg, Statement,
+    StatementKind,
 };
 
 use super::names::{declared_by, title};
@@ -48,7 +49,7 @@ pub(super) fn instead(
 /// A dyad of two bars that is to be taken apart.
 struct Cut<'t> {
     tree: &'t Declaration,
-    group: &'t Group,
+    group: &'t GroupStatement,
     index: usize,
 }
 
@@ -89,7 +90,7 @@ impl Cut<'_> {
 }
 
 /// The dyad of two bars that the statement is, as far as all of it was read.
-fn two_bars(statement: &Statement) -> Option<&Group> {
+fn two_bars(statement: &Statement) -> Option<&GroupStatement> {
     match &statement.kind {
         StatementKind::Group(group) if is_of_two_bars(&group.keyword.to_string()) => {
             let is_whole = |leg: &Leg| leg.joint.is_some();
@@ -107,9 +108,9 @@ fn is_of_two_bars(keyword: &str) -> bool {
     })
 }
 
-fn lengths(group: &Group) -> Option<&[Expr; 2]> {
+fn lengths(group: &GroupStatement) -> Option<&[Expr; 2]> {
     group.fields.iter().find_map(|field| match field {
-        Field { name, value: FieldValue::Pair(pair) } if name == "lengths" => Some(pair),
+        GroupField { name, value: GroupFieldValue::Pair(pair) } if name == "lengths" => Some(pair),
         _ => None,
     })
 }

@@ -5,9 +5,9 @@ use proc_macro2::{Ident, Span};
 use crate::syntax::tree::{self, Action, Declaration, FrictionSite, StatementKind};
 
 use super::Resolver;
-use super::dynamics::{Contact, Friction, Quantity};
+use super::acting::{Contact, Friction, Magnitude};
 use super::folding::shown;
-use super::mechanism::{Body, Carrier, Dimension, Drive, Expr, Length, LinkId, PartOf, PointId};
+use super::mechanism::{Body, Carrier, Dimension, Drive, Length, LinkId, PartOf, PointId, Scalar};
 use super::names::{Kind, listed};
 
 /// The most joints that rub where a load drives an input.
@@ -132,8 +132,8 @@ impl Resolver<'_> {
     /// A number of the machine that is divided by.
     fn above_zero(&mut self, expr: &tree::Expr, measure: Dimension, what: &str) -> Option<Length> {
         let name = format!("friction, {what}");
-        let Quantity { value, name } = self.not_negative(expr, measure, what, name)?;
-        if let Expr::Constant(constant) = &value
+        let Magnitude { value, name } = self.not_negative(expr, measure, what, name)?;
+        if let Scalar::Constant(constant) = &value
             && constant.is_zero()
         {
             let message = format!("{what} of {}; make it greater than zero", shown(constant));

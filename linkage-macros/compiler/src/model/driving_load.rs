@@ -5,12 +5,12 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
 
 use super::Resolver;
+use super::acting::{Dynamics, Effort, Load};
 use super::dimension::Measure;
-use super::dynamics::{Dynamics, Effort, Load};
-use super::expressions::Quantity;
+use super::expressions::ResolvedExpr;
 use super::facts::Degree;
 use super::ids::InputId;
-use super::mechanism::{Expr, Operator};
+use super::mechanism::{Operator, Scalar};
 use super::names::{Entity, Kind};
 
 /// The load behind the first `by`.
@@ -44,31 +44,31 @@ impl Resolver<'_> {
     }
 
     /// The value of a load in forces, torques and outputs.
-    pub(super) fn value_of_load(&mut self, name: &Ident) -> Option<Quantity> {
+    pub(super) fn value_of_load(&mut self, name: &Ident) -> Option<ResolvedExpr> {
         self.load_stands_in_a_force(name)?;
         let entity = self.usable(name, &[Kind::Load])?;
         let dynamics = &self.mechanism.dynamics;
         let (load, value) = match entity {
-            Entity::Load(id) => (&dynamics.loads[id.index()], Expr::Load(id)),
-            Entity::Pull => (dynamics.pull.as_ref()?, Expr::Pull),
+            Entity::Load(id) => (&dynamics.loads[id.index()], Scalar::Load(id)),
+            Entity::Pull => (dynamics.pull.as_ref()?, Scalar::Pull),
             _ => return None,
         };
-        Some(Quantity::plain(Measure::Known(load.dimension), value))
+        Some(ResolvedExpr::plain(Measure::Known(load.dimension), value))
     }
 
     /// The power to which a number contains the load that drives an input.
-    pub(super) fn degree(&self, expr: &Expr) -> Degree {
+    pub(super) fn degree(&self, expr: &Scalar) -> Degree {
         let within = |inner: Degree| if inner == Degree::Free { inner } else { Degree::Other };
         match expr {
-            Expr::Pull => Degree::Linear,
-            Expr::Law(id) => self.facts.laws[id.index()].pull,
-            Expr::Negate(value) => self.degree(value),
-            Expr::AboveZero(inner) => within(self.degree(&inner.value)),
-            Expr::Call(_, arguments) => {
+            Scalar::Pull => Degree::Linear,
+            Scalar::Law(id) => self.facts.laws[id.index()].pull,
+            Scalar::Negate(value) => self.degree(value),
+            Scalar::AboveZero(inner) => within(self.degree(&inner.value)),
+            Scalar::Call(_, arguments) => {
                 let degrees = arguments.iter().map(|argument| self.degree(argument));
                 within(degrees.max().unwrap_or(Degree::Free))
             }
-            Expr::Chain(first, rest) => {
+            Scalar::Chain(first, rest) => {
                 rest.iter().fold(self.degree(first), |left, (operator, operand)| {
                     match (operator, left, self.degree(operand)) {
                         (Operator::Add | Operator::Sub, left, right) => left.max(right),
@@ -83,7 +83,7 @@ impl Resolver<'_> {
     }
 
     /// A force is a multiple of the load that drives an input, and what is free of it.
-    pub(super) fn is_linear_in_pull(&mut self, expr: &tree::Expr, value: &Expr) -> Option<()> {
+    pub(super) fn is_linear_in_pull(&mut self, expr: &tree::Expr, value: &Scalar) -> Option<()> {
         if self.degree(value) != Degree::Other {
             return Some(());
         }
@@ -97,7 +97,7 @@ impl Resolver<'_> {
     }
 
     /// A share of what presses a joint is no share of what follows from it.
-    pub(super) fn is_free_of_pull(&mut self, expr: &tree::Expr, value: &Expr) -> Option<()> {
+    pub(super) fn is_free_of_pull(&mut self, expr: &tree::Expr, value: &Scalar) -> Option<()> {
         if self.degree(value) == Degree::Free {
             return Some(());
         }

@@ -6,13 +6,13 @@ use quote::format_ident;
 use syn::Attribute;
 
 use super::Resolver;
-use super::dynamics::{Effort, RequestedEffort};
+use super::acting::{Effort, RequestedEffort};
 use super::mechanism::{
     Body, Group, InputId, JointKind, LinkId, Mechanism, OutputKind, PointId, Slideway, SpringId,
 };
 use super::names::{Entity, Kind};
 use super::outputs::MEMBERS;
-use super::springs::parts;
+use super::spring_damper::parts;
 use crate::syntax::action::ACTING;
 
 /// Outputs of the whole mechanism.

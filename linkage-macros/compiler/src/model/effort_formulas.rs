@@ -7,12 +7,12 @@ use syn::Attribute;
 use crate::syntax::tree;
 
 use super::Resolver;
+use super::acting::{Contact, Effort, Ends, Formula, RequestedEffort};
 use super::dimension::Measure;
-use super::dynamics::{Contact, Effort, Ends, Formula, RequestedEffort};
-use super::expressions::Quantity;
+use super::expressions::ResolvedExpr;
 use super::facts::Reads;
 use super::ids::FormulaId;
-use super::mechanism::{Carrier, Dimension, Expr, LinkId};
+use super::mechanism::{Carrier, Dimension, LinkId, Scalar};
 use super::names::{Kind, listed};
 
 /// A power: what friction takes.
@@ -31,7 +31,7 @@ impl Resolver<'_> {
     pub(super) fn of_output(
         &mut self,
         value: &tree::Expr,
-    ) -> (Option<Quantity>, Reads, Vec<Effort>) {
+    ) -> (Option<ResolvedExpr>, Reads, Vec<Effort>) {
         self.efforts_read = Some(Vec::new());
         let (quantity, reads) = self.freely(|resolver| resolver.quantity(value));
         (quantity, reads, self.efforts_read.take().unwrap_or_default())
@@ -42,7 +42,7 @@ impl Resolver<'_> {
         &mut self,
         (name, docs): (&Ident, &[Attribute]),
         value: &tree::Expr,
-        quantity: Quantity,
+        quantity: ResolvedExpr,
         reads: Vec<Effort>,
     ) {
         if self.no_link_angle(value, &quantity).is_none() {
@@ -79,7 +79,7 @@ impl Resolver<'_> {
         &mut self,
         owner: &Ident,
         member: &Ident,
-    ) -> Option<Option<Quantity>> {
+    ) -> Option<Option<ResolvedExpr>> {
         self.efforts_read.as_ref()?;
         if let Some(Kind::Spring) = self.names.kind(owner) {
             let effort = self.effort_of_spring(owner, member);
@@ -95,7 +95,7 @@ impl Resolver<'_> {
     }
 
     /// `losses` in an output.
-    pub(super) fn losses_read(&mut self, name: &Ident) -> Option<Quantity> {
+    pub(super) fn losses_read(&mut self, name: &Ident) -> Option<ResolvedExpr> {
         self.something_rubs(name)?;
         self.reading(name, Effort::Losses, 0)
     }
@@ -111,7 +111,12 @@ impl Resolver<'_> {
     }
 
     /// An effort of one number; of a reaction a part is read.
-    fn whole_effort(&mut self, owner: &Ident, member: &Ident, effort: Effort) -> Option<Quantity> {
+    fn whole_effort(
+        &mut self,
+        owner: &Ident,
+        member: &Ident,
+        effort: Effort,
+    ) -> Option<ResolvedExpr> {
         let (what, parts) = match effort {
             Effort::Pin(..) | Effort::Bearing(..) => ("a force", ["x", "y"]),
             Effort::Guide(_) => ("a normal force and a couple", ["normal", "couple"]),
@@ -163,7 +168,7 @@ impl Resolver<'_> {
     }
 
     /// `BC.C.x`, `ram.bed.normal`, `ram.bed.friction`
-    pub(super) fn part_read(&mut self, [owner, member, part]: &[Ident; 3]) -> Option<Quantity> {
+    pub(super) fn part_read(&mut self, [owner, member, part]: &[Ident; 3]) -> Option<ResolvedExpr> {
         if part == "friction" {
             let effort = self.friction_named(owner, member, part)?;
             return self.reading(part, effort, 0);
@@ -233,12 +238,12 @@ impl Resolver<'_> {
     }
 
     /// A component of an effort, which an output reads.
-    fn reading(&mut self, at: &Ident, effort: Effort, part: usize) -> Option<Quantity> {
+    fn reading(&mut self, at: &Ident, effort: Effort, part: usize) -> Option<ResolvedExpr> {
         self.effort_is_known(at, effort)?;
         self.reads.effort = true;
         self.efforts_read.as_mut()?.push(effort);
         let measure = Measure::Known(self.dimension_of(effort, part));
-        Some(Quantity::plain(measure, Expr::Effort(effort, part)))
+        Some(ResolvedExpr::plain(measure, Scalar::Effort(effort, part)))
     }
 
     fn dimension_of(&self, effort: Effort, part: usize) -> Dimension {

@@ -7,8 +7,8 @@ use crate::syntax::anatomy::{GroupSpec, Pin, needed, optional};
 use crate::syntax::tree::{self, StopStatement};
 
 use super::Resolver;
-use super::dynamics::{Effort, Quantity, RequestedEffort, Stop, Stopped};
-use super::mechanism::{Dimension, Expr, StopId};
+use super::acting::{Effort, Magnitude, RequestedEffort, Stop, Stopped};
+use super::mechanism::{Dimension, Scalar, StopId};
 use super::names::{Entity, Kind};
 
 const STOP: GroupSpec = GroupSpec {
@@ -58,7 +58,7 @@ impl Resolver<'_> {
                 let dimension = per_unit.times(Dimension::TIME, 1);
                 self.not_negative(value, dimension, "a damping", "damping".to_string())
             }
-            None => Some(Quantity::zero()),
+            None => Some(Magnitude::zero()),
         };
         Some(Stop {
             name: written.name.clone(),
@@ -74,8 +74,8 @@ impl Resolver<'_> {
     fn stopped(&mut self, of: &tree::Expr) -> Option<Stopped> {
         let sum = self.quantity(of)?.turn();
         match (sum.links.is_empty(), &sum.rest) {
-            (true, Expr::Slide(link)) => Some(Stopped::Slide(*link)),
-            (true, Expr::Distance(points)) => Some(Stopped::Distance(*points)),
+            (true, Scalar::Slide(link)) => Some(Stopped::Slide(*link)),
+            (true, Scalar::Distance(points)) => Some(Stopped::Distance(*points)),
             (false, rest) if !self.mechanism.moves(rest) => Some(Stopped::Angle(sum)),
             _ => {
                 let message = "a stop cannot push on this";
@@ -92,14 +92,14 @@ impl Resolver<'_> {
         &mut self,
         written: &[tree::Expr; 2],
         dimension: Dimension,
-    ) -> Option<[Expr; 2]> {
+    ) -> Option<[Scalar; 2]> {
         let [from, to] = [0, 1].map(|end| {
             let fixed = self.changes_with_no_input(&written[end], "an end of a stop");
             let value = self.scalar(&written[end], dimension);
             fixed.and(value)
         });
         let ends = [from?, to?];
-        if let [Expr::Constant(from), Expr::Constant(to)] = &ends
+        if let [Scalar::Constant(from), Scalar::Constant(to)] = &ends
             && !from.cmp_value(to).is_lt()
         {
             let message = "the second end of a stop lies above the first";

@@ -7,15 +7,15 @@ use crate::syntax::tree;
 use super::Resolver;
 use super::dimension::Measure;
 use super::drawn::printed::text;
-use super::expressions::Quantity;
-use super::mechanism::{AboveZero, Dimension, Expr};
+use super::expressions::ResolvedExpr;
+use super::mechanism::{AboveZero, Dimension, Scalar};
 
 impl Resolver<'_> {
     /// A power by a known integer is one of units, too; any other is a number of numbers.
     pub(super) fn measure_of_power(
         &mut self,
         arguments: &[tree::Expr],
-        values: &[Quantity],
+        values: &[ResolvedExpr],
     ) -> Option<Measure> {
         self.dimension_fits(&arguments[1], &values[1], Dimension::NUMBER)?;
         let Some(times) = known_integer(&values[1]) else {
@@ -36,19 +36,19 @@ impl Resolver<'_> {
     pub(super) fn arguments_above_zero(
         function: Function,
         arguments: &[tree::Expr],
-        values: Vec<Quantity>,
-    ) -> Vec<Expr> {
+        values: Vec<ResolvedExpr>,
+    ) -> Vec<Scalar> {
         let is_free = !function.needs_positive() || values.get(1).and_then(known_integer).is_some();
         let mut rests: Vec<_> = values.into_iter().map(|value| value.rest).collect();
         if !is_free && !rests[0].is_constant() {
-            let value = std::mem::replace(&mut rests[0], Expr::zero());
+            let value = std::mem::replace(&mut rests[0], Scalar::zero());
             let name = text(&arguments[0]);
-            rests[0] = Expr::AboveZero(Box::new(AboveZero { value, name, function }));
+            rests[0] = Scalar::AboveZero(Box::new(AboveZero { value, name, function }));
         }
         rests
     }
 }
 
-fn known_integer(value: &Quantity) -> Option<i64> {
+fn known_integer(value: &ResolvedExpr) -> Option<i64> {
     value.rest.constant().and_then(Exact::to_integer)
 }

@@ -9,7 +9,7 @@ use crate::model::ids::{
 
 /// A scalar expression. Lengths in metres, angles in radians.
 #[derive(Clone, Debug)]
-pub(crate) enum Expr {
+pub(crate) enum Scalar {
     Constant(Exact),
     Input(InputId),
     Param(ParamId),
@@ -40,16 +40,16 @@ pub(crate) enum Expr {
     Rate(Box<AngleSum>),
     /// A number that must be above zero.
     AboveZero(Box<AboveZero>),
-    Negate(Box<Expr>),
+    Negate(Box<Scalar>),
     /// One operation after the other, each on what the one before has made.
-    Chain(Box<Expr>, Vec<(Operator, Expr)>),
-    Call(Function, Vec<Expr>),
+    Chain(Box<Scalar>, Vec<(Operator, Scalar)>),
+    Call(Function, Vec<Scalar>),
 }
 
 /// The argument of a function that needs a number above zero, with its text.
 #[derive(Clone, Debug)]
 pub(crate) struct AboveZero {
-    pub value: Expr,
+    pub value: Scalar,
     pub name: String,
     pub function: Function,
 }
@@ -73,5 +73,5 @@ pub(crate) enum Operator {
 #[derive(Clone, Debug)]
 pub(crate) struct AngleSum {
     pub links: Vec<(LinkId, i32)>,
-    pub rest: Expr,
+    pub rest: Scalar,
 }

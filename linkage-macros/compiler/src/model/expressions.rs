@@ -10,14 +10,14 @@ use crate::syntax::tree::{self, BinaryOp, ExprKind};
 use super::Resolver;
 use super::dimension::Measure;
 use super::folding::shown;
-use super::mechanism::{AngleSum, Dimension, Expr, LinkId, Operator, ParamKind};
+use super::mechanism::{AngleSum, Dimension, LinkId, Operator, ParamKind, Scalar};
 use super::names::{Entity, Kind, NUMBERS};
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
-pub(super) struct Quantity {
+pub(super) struct ResolvedExpr {
     pub measure: Measure,
     pub links: Vec<(LinkId, i32)>,
-    pub rest: Expr,
+    pub rest: Scalar,
 }
 
 /// Why a link's angle stands only in sums, times an integer.
@@ -33,13 +33,13 @@ const OFFSET: &str = "offset";
 /// The function that forces alone may depend on.
 pub(super) const RATE: &str = "rate";
 
-impl Quantity {
-    pub(super) fn plain(measure: Measure, rest: Expr) -> Self {
+impl ResolvedExpr {
+    pub(super) fn plain(measure: Measure, rest: Scalar) -> Self {
         Self { measure, links: Vec::new(), rest }
     }
 
     pub(super) fn constant(measure: Measure, value: Exact) -> Self {
-        Self::plain(measure, Expr::Constant(value))
+        Self::plain(measure, Scalar::Constant(value))
     }
 
     pub(super) fn turn(self) -> AngleSum {
@@ -79,11 +79,11 @@ impl Quantity {
 
 impl Resolver<'_> {
     /// Resolves an expression, and reports every mistake in it.
-    pub(super) fn quantity(&mut self, expr: &tree::Expr) -> Option<Quantity> {
+    pub(super) fn quantity(&mut self, expr: &tree::Expr) -> Option<ResolvedExpr> {
         match &expr.kind {
             ExprKind::Number { digits, units } => self.literal(expr.span, digits, units),
             ExprKind::Name(name) if name == "pi" => {
-                Some(Quantity::constant(Measure::ANGLE, Exact::pi()))
+                Some(ResolvedExpr::constant(Measure::ANGLE, Exact::pi()))
             }
             ExprKind::Name(name) if name == "losses" && self.efforts_read.is_some() => {
                 self.losses_read(name)
@@ -117,7 +117,11 @@ impl Resolver<'_> {
     }
 
     /// One operation after the other, each on what the one before has made.
-    fn chain(&mut self, first: &tree::Expr, rest: &[(BinaryOp, tree::Expr)]) -> Option<Quantity> {
+    fn chain(
+        &mut self,
+        first: &tree::Expr,
+        rest: &[(BinaryOp, tree::Expr)],
+    ) -> Option<ResolvedExpr> {
         self.units_have_parentheses(first, rest)?;
         let (mut span, mut left) = (first.span, self.quantity(first));
         for (operator, operand) in rest {
@@ -137,9 +141,9 @@ impl Resolver<'_> {
     fn operation(
         &mut self,
         operator: BinaryOp,
-        left: (Extent, Quantity),
-        right: (&tree::Expr, Quantity),
-    ) -> Option<Quantity> {
+        left: (Extent, ResolvedExpr),
+        right: (&tree::Expr, ResolvedExpr),
+    ) -> Option<ResolvedExpr> {
         let span = left.0.to(right.0.span);
         let quantity = match operator {
             BinaryOp::Add => self.sum(Operator::Add, left, right),
@@ -147,20 +151,20 @@ impl Resolver<'_> {
             BinaryOp::Mul => self.product(left, (right.0.span, right.1)),
             BinaryOp::Div => self.quotient(left.1, (right.0.span, right.1)),
         }?;
-        if let Expr::Constant(value) = &quantity.rest {
+        if let Scalar::Constant(value) = &quantity.rest {
             self.number_can_be_held(span, Some(value))?;
         }
         Some(quantity)
     }
 
-    fn named_number(&mut self, name: &Ident) -> Option<Quantity> {
+    fn named_number(&mut self, name: &Ident) -> Option<ResolvedExpr> {
         if self.names.kind(name) == Some(Kind::Load) {
             return self.value_of_load(name);
         }
         match self.usable(name, &NUMBERS)? {
             Entity::Input(id) => {
                 let measure = Measure::Known(self.mechanism.inputs[id.index()].dimension);
-                Some(Quantity::plain(measure, Expr::Input(id)))
+                Some(ResolvedExpr::plain(measure, Scalar::Input(id)))
             }
             Entity::Param(id) => {
                 if !matches!(self.mechanism.params[id.index()].kind, ParamKind::Number { .. }) {
@@ -169,12 +173,12 @@ impl Resolver<'_> {
                     return None;
                 }
                 let measure = self.facts.params[id.index()].measure;
-                Some(Quantity::plain(measure, Expr::Param(id)))
+                Some(ResolvedExpr::plain(measure, Scalar::Param(id)))
             }
             entity @ (Entity::Let(_) | Entity::Law(_)) => self.value_of_let(name, entity),
             Entity::Unknown(id) => {
                 let measure = Measure::Known(self.mechanism.unknowns[id.index()].dimension);
-                Some(Quantity::plain(measure, Expr::Unknown(id)))
+                Some(ResolvedExpr::plain(measure, Scalar::Unknown(id)))
             }
             Entity::Point(_)
             | Entity::Link(_)
@@ -190,9 +194,9 @@ impl Resolver<'_> {
     pub(super) fn sum(
         &mut self,
         operator: Operator,
-        (left, mut a): (Extent, Quantity),
-        (right, b): (&tree::Expr, Quantity),
-    ) -> Option<Quantity> {
+        (left, mut a): (Extent, ResolvedExpr),
+        (right, b): (&tree::Expr, ResolvedExpr),
+    ) -> Option<ResolvedExpr> {
         let Some(measure) = a.measure.sum(b.measure) else {
             let (found, wanted) = (b.measure.dimension(), a.measure.dimension());
             let message = format!("{} where {} belongs", found.words(), wanted.words());
@@ -217,14 +221,14 @@ impl Resolver<'_> {
 
     fn product(
         &mut self,
-        (left, a): (Extent, Quantity),
-        (right, b): (Extent, Quantity),
-    ) -> Option<Quantity> {
+        (left, a): (Extent, ResolvedExpr),
+        (right, b): (Extent, ResolvedExpr),
+    ) -> Option<ResolvedExpr> {
         let measure = a.measure.product(b.measure);
         // The factor of a link angle, if there is one, is the other side.
         let (mut turn, factor, span) = match (a.links.is_empty(), b.links.is_empty()) {
             (true, true) => {
-                return Some(Quantity::plain(measure, a.rest.combined(Operator::Mul, b.rest)?));
+                return Some(ResolvedExpr::plain(measure, a.rest.combined(Operator::Mul, b.rest)?));
             }
             (false, _) => (a, b, right),
             (true, false) => (b, a, left),
@@ -237,10 +241,14 @@ impl Resolver<'_> {
             return self.link_angles_are_whole_multiples(span, &links);
         }
         turn.rest = turn.rest.combined(Operator::Mul, factor.rest)?;
-        Some(Quantity { measure, ..turn })
+        Some(ResolvedExpr { measure, ..turn })
     }
 
-    fn quotient(&mut self, mut a: Quantity, (right, b): (Extent, Quantity)) -> Option<Quantity> {
+    fn quotient(
+        &mut self,
+        mut a: ResolvedExpr,
+        (right, b): (Extent, ResolvedExpr),
+    ) -> Option<ResolvedExpr> {
         if !b.links.is_empty() {
             return self.link_angles_are_whole_multiples(right, &b.links);
         }
@@ -268,14 +276,14 @@ impl Resolver<'_> {
         &mut self,
         span: Extent,
         links: &[(LinkId, i32)],
-    ) -> Option<Quantity> {
+    ) -> Option<ResolvedExpr> {
         let name = &self.mechanism.links[links[0].0.index()].name;
         let message = format!("`{name}.angle` can be multiplied by an integer only");
         self.diagnostics.error_because(span, message, ANGLE_REASON);
         None
     }
 
-    fn call(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<Quantity> {
+    fn call(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<ResolvedExpr> {
         let Some(function) = Function::named(&name.to_string()) else {
             if self.member_as_a_function(name, arguments) {
                 return None;
@@ -302,7 +310,7 @@ impl Resolver<'_> {
         let rests = Self::arguments_above_zero(function, arguments, values);
         let constants: Vec<_> =
             rests.iter().filter_map(|rest| rest.constant()).map(shown).collect();
-        let called = Expr::call(function, rests);
+        let called = Scalar::call(function, rests);
         if called.is_none() {
             let call = format!("{name}({})", constants.join(", "));
             self.function_is_defined(function, &arguments[0], &call);
@@ -317,7 +325,7 @@ impl Resolver<'_> {
             self.diagnostics.error_because(name.span(), message, reason);
             return None;
         }
-        Some(Quantity::plain(measure, called))
+        Some(ResolvedExpr::plain(measure, called))
     }
 
     /// Reports `angle(BC)` and `x(P)`; whether it was one of these.

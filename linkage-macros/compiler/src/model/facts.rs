@@ -7,7 +7,7 @@ use crate::syntax::tree::Declaration;
 
 use super::dimension::Measure;
 use super::literals::longest_in_small_units;
-use super::mechanism::{Carrier, Expr, GuideId, PointId};
+use super::mechanism::{Carrier, GuideId, PointId, Scalar};
 use super::names::Entity;
 
 #[derive(Default)]
@@ -80,7 +80,7 @@ pub(super) struct LinkFacts {
     /// True for a bar with an outer joint and a pin.
     pub is_bar: bool,
     /// The distance from one to the other; `None` also where it was in error.
-    pub length: Option<Expr>,
+    pub length: Option<Scalar>,
     /// True if its joint and its pin are known. Any other point is then certainly neither.
     pub has_its_joints: bool,
     /// True if its group is placed. Where the group's fields or joints are in error, the forces of

@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 
 use crate::diagnostics::nearest;
-use crate::syntax::tree::{Expr, Field, FieldValue, Group};
+use crate::syntax::tree::{Expr, GroupField, GroupFieldValue, GroupStatement};
 
 use super::Resolver;
 use super::names::listed;
@@ -11,7 +11,7 @@ use crate::syntax::anatomy::{FieldRule, GroupSpec, Needed};
 
 /// The fields that are known and of the right shape.
 pub(super) struct Fields<'t> {
-    known: Vec<(&'static str, &'t FieldValue)>,
+    known: Vec<(&'static str, &'t GroupFieldValue)>,
     /// Fields that are there in some form, right or wrong: none of these is missing.
     present: Vec<&'static str>,
     all_are_read: bool,
@@ -20,15 +20,15 @@ pub(super) struct Fields<'t> {
 impl<'t> Fields<'t> {
     pub(super) fn one(&self, name: &str) -> Option<&'t Expr> {
         match self.value(name)? {
-            FieldValue::One(value) => Some(value),
-            FieldValue::Pair(_) => None,
+            GroupFieldValue::One(value) => Some(value),
+            GroupFieldValue::Pair(_) => None,
         }
     }
 
     pub(super) fn pair(&self, name: &str) -> Option<&'t [Expr; 2]> {
         match self.value(name)? {
-            FieldValue::One(_) => None,
-            FieldValue::Pair(values) => Some(values),
+            GroupFieldValue::One(_) => None,
+            GroupFieldValue::Pair(values) => Some(values),
         }
     }
 
@@ -37,7 +37,7 @@ impl<'t> Fields<'t> {
         self.all_are_read && !self.present.contains(&name)
     }
 
-    fn value(&self, name: &str) -> Option<&'t FieldValue> {
+    fn value(&self, name: &str) -> Option<&'t GroupFieldValue> {
         self.known.iter().find(|(known, _)| *known == name).map(|&(_, value)| value)
     }
 }
@@ -45,7 +45,7 @@ impl<'t> Fields<'t> {
 impl Resolver<'_> {
     pub(super) fn fields<'t>(
         &mut self,
-        group: &'t Group,
+        group: &'t GroupStatement,
         anatomy: &'static GroupSpec,
     ) -> Fields<'t> {
         let (known, present) = (Vec::new(), Vec::new());
@@ -79,8 +79,8 @@ impl Resolver<'_> {
     /// the first missing field where no name is near: neither is reported as missing, too.
     fn field_exists(
         &mut self,
-        field: &Field,
-        group: &Group,
+        field: &GroupField,
+        group: &GroupStatement,
         anatomy: &'static GroupSpec,
         present: &mut Vec<&'static str>,
     ) -> Option<&'static str> {
@@ -115,19 +115,19 @@ impl Resolver<'_> {
     }
 
     /// A pair is given where there are two links to speak of, one value elsewhere.
-    fn field_has_its_shape(&mut self, field: &Field, anatomy: &GroupSpec) -> Option<()> {
+    fn field_has_its_shape(&mut self, field: &GroupField, anatomy: &GroupSpec) -> Option<()> {
         let name = &field.name;
         let rule = anatomy.fields.iter().find(|rule| name == rule.name);
         let pair = rule.is_some_and(|rule| rule.pair);
         match (&field.value, pair) {
-            (FieldValue::One(value), _) if value.is_mistake() => return None,
-            (FieldValue::One(_), false) | (FieldValue::Pair(_), true) => return Some(()),
-            (FieldValue::One(_), true) => {
+            (GroupFieldValue::One(value), _) if value.is_mistake() => return None,
+            (GroupFieldValue::One(_), false) | (GroupFieldValue::Pair(_), true) => return Some(()),
+            (GroupFieldValue::One(_), true) => {
                 let message = format!("`{name}` takes two values; write `{name}: (…, …)`");
                 let reason = rule.map_or("", |rule| rule.meaning);
                 self.diagnostics.error_because(name.span(), message, reason);
             }
-            (FieldValue::Pair(_), false) => {
+            (GroupFieldValue::Pair(_), false) => {
                 let message = format!("`{name}` takes one value; write `{name}: …`");
                 self.report(name.span(), message, rule.map(|rule| rule.meaning));
             }
@@ -138,8 +138,8 @@ impl Resolver<'_> {
     /// The distance to a pin is given only where there is a pin.
     fn field_has_its_pin(
         &mut self,
-        field: &Field,
-        group: &Group,
+        field: &GroupField,
+        group: &GroupStatement,
         anatomy: &GroupSpec,
     ) -> Option<()> {
         let rule = anatomy.fields.iter().find(|rule| field.name == rule.name);
@@ -156,7 +156,12 @@ impl Resolver<'_> {
     }
 
     /// Every field without a default is given; a missing one is reported at the closing brace.
-    fn no_field_is_missing(&mut self, group: &Group, anatomy: &GroupSpec, fields: &Fields) {
+    fn no_field_is_missing(
+        &mut self,
+        group: &GroupStatement,
+        anatomy: &GroupSpec,
+        fields: &Fields,
+    ) {
         for (name, meaning) in self.needed(group, anatomy) {
             if fields.is_left_out(name) {
                 self.missing(group.end, name, &meaning);
@@ -165,7 +170,7 @@ impl Resolver<'_> {
     }
 
     /// The fields without a default, and what they say.
-    fn needed(&self, group: &Group, anatomy: &GroupSpec) -> Vec<(&'static str, String)> {
+    fn needed(&self, group: &GroupStatement, anatomy: &GroupSpec) -> Vec<(&'static str, String)> {
         let is_needed = |rule: &&FieldRule| match rule.needed {
             Needed::Always => true,
             Needed::WithPin => group.pin.is_some(),
@@ -181,7 +186,7 @@ impl Resolver<'_> {
     /// A field without a default that is not given anywhere in the group.
     fn first_missing(
         &self,
-        group: &Group,
+        group: &GroupStatement,
         anatomy: &GroupSpec,
         present: &[&'static str],
     ) -> Option<(&'static str, String)> {
@@ -197,6 +202,6 @@ impl Resolver<'_> {
 }
 
 /// True if the value of the field could not be read.
-fn is_damaged(field: &Field) -> bool {
-    matches!(&field.value, FieldValue::One(value) if value.is_mistake())
+fn is_damaged(field: &GroupField) -> bool {
+    matches!(&field.value, GroupFieldValue::One(value) if value.is_mistake())
 }

@@ -6,9 +6,9 @@
 use crate::exact::Exact;
 use crate::function::Function;
 
-use super::mechanism::{Expr, Operator};
+use super::mechanism::{Operator, Scalar};
 
-impl Expr {
+impl Scalar {
     pub(crate) const fn is_constant(&self) -> bool {
         matches!(self, Self::Constant(_))
     }

@@ -3,7 +3,7 @@
 //! A group is a way to solve some joints. Owners, carriers and motion are read from the joints, once
 //! for all kinds of groups. Code matches a kind only where formulas, words or shapes are its own.
 
-use super::expr::{AngleSum, Expr};
+use super::expr::{AngleSum, Scalar};
 use super::ids::{GroupId, GuideId, LinkId, ParamId, PointId};
 use crate::syntax::anatomy::Class;
 
@@ -40,7 +40,7 @@ pub(crate) enum Carrier {
 /// A length that must be positive, and the words that name it in `SolveError::Invalid`.
 #[derive(Clone, Debug)]
 pub(crate) struct Length {
-    pub value: Expr,
+    pub value: Scalar,
     pub name: String,
 }
 
@@ -56,7 +56,7 @@ pub(crate) enum JointKind {
     /// The link's origin keeps the offset from the line, along its normal; none where it is on it.
     Prismatic {
         along: Slideway,
-        offset: Option<Expr>,
+        offset: Option<Scalar>,
     },
 }
 
@@ -68,7 +68,7 @@ pub(crate) enum Slideway {
     /// A slot of a link, at an angle to the link's x axis and so far across it.
     Slot {
         link: LinkId,
-        across: Expr,
+        across: Scalar,
         angle: AngleSum,
     },
 }
@@ -76,7 +76,7 @@ pub(crate) enum Slideway {
 /// The motion that a driver sets.
 pub(crate) enum Drive {
     Angle { angle: AngleSum, relative_to: Carrier },
-    Slide(Expr),
+    Slide(Scalar),
 }
 
 /// The ways in which a group can be assembled.
@@ -139,7 +139,7 @@ impl Joint {
         }
     }
 
-    pub(crate) fn offset(&self) -> Option<&Expr> {
+    pub(crate) fn offset(&self) -> Option<&Scalar> {
         match &self.kind {
             JointKind::Revolute(_) => None,
             JointKind::Prismatic { offset, .. } => offset.as_ref(),
@@ -168,7 +168,7 @@ impl Group {
     }
 
     /// Distances declared across its slideways, joint by joint: a slot's own, then the offset in it.
-    pub(crate) fn offsets(&self) -> Vec<&Expr> {
+    pub(crate) fn offsets(&self) -> Vec<&Scalar> {
         let across = |joint| match Joint::slideway(joint)? {
             Slideway::Slot { across, .. } => Some(across),
             Slideway::Guide(_) | Slideway::Bar(_) => None,

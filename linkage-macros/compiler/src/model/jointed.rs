@@ -5,11 +5,11 @@ use crate::syntax::anatomy::JointRule;
 use crate::syntax::tree;
 
 use super::Resolver;
+use super::dyads::{OuterJoint, Parts};
 use super::expressions::bare_name;
-use super::groups::{OuterJoint, Parts};
 use super::mechanism::{
-    AngleSum, Assembly, Body, Carrier, Drive, Expr, Group, Joint, JointKind, Length, LinkId,
-    PointId, Slideway,
+    AngleSum, Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId,
+    Scalar, Slideway,
 };
 
 /// The numbers that the fields of a group give, as far as they are right.
@@ -18,10 +18,10 @@ pub(super) struct Dimensions {
     pub lengths: Vec<Option<Length>>,
     pub angle: Option<AngleSum>,
     relative_to: Option<Carrier>,
-    slide: Option<Expr>,
+    slide: Option<Scalar>,
     pub slot: Option<AngleSum>,
     /// In the order of the statement.
-    pub offsets: Option<Vec<Expr>>,
+    pub offsets: Option<Vec<Scalar>>,
     assembly: Option<Assembly>,
 }
 
@@ -125,12 +125,12 @@ impl Resolver<'_> {
     }
 
     /// The field `offset` or `offsets`, zero where it is not given.
-    fn offsets(&mut self, parts: &Parts) -> Option<Vec<Expr>> {
+    fn offsets(&mut self, parts: &Parts) -> Option<Vec<Scalar>> {
         let fields = &parts.fields;
         if parts.has_field("offset") {
             return match fields.one("offset") {
                 Some(offset) => Some(vec![self.length(offset)?]),
-                None => fields.is_left_out("offset").then(|| vec![Expr::zero()]),
+                None => fields.is_left_out("offset").then(|| vec![Scalar::zero()]),
             };
         }
         if !parts.has_field("offsets") {
@@ -138,7 +138,7 @@ impl Resolver<'_> {
         }
         match fields.pair("offsets") {
             Some(offsets) => self.lengths(offsets).map(Vec::from),
-            None => fields.is_left_out("offsets").then(|| vec![Expr::zero(), Expr::zero()]),
+            None => fields.is_left_out("offsets").then(|| vec![Scalar::zero(), Scalar::zero()]),
         }
     }
 
@@ -187,7 +187,7 @@ impl Resolver<'_> {
         &self,
         joint: OuterJoint,
         link: LinkId,
-        offset: &mut impl FnMut() -> Option<Expr>,
+        offset: &mut impl FnMut() -> Option<Scalar>,
     ) -> Joint {
         // After a mistake a missing body counts as the ground.
         let mechanism = &self.mechanism;
@@ -233,7 +233,7 @@ impl Dimensions {
         &mut self,
         links: &[LinkId],
         has_slot: bool,
-        offsets: &mut impl Iterator<Item = Expr>,
+        offsets: &mut impl Iterator<Item = Scalar>,
     ) -> Option<Joint> {
         let along = match has_slot {
             true => {

@@ -6,9 +6,9 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{self, ExprKind};
 
 use super::Resolver;
-use super::expressions::Quantity;
+use super::expressions::ResolvedExpr;
 use super::facts::{LetFacts, Reads};
-use super::mechanism::{Expr, LawId, LetId};
+use super::mechanism::{LawId, LetId, Scalar};
 use super::names::Entity;
 
 impl Resolver<'_> {
@@ -47,23 +47,23 @@ impl Resolver<'_> {
     }
 
     /// The value of a `let`, where it may stand here.
-    pub(super) fn value_of_let(&mut self, name: &Ident, entity: Entity) -> Option<Quantity> {
+    pub(super) fn value_of_let(&mut self, name: &Ident, entity: Entity) -> Option<ResolvedExpr> {
         let (facts, sum, rest) = match entity {
             Entity::Let(id) => {
                 let sum = &self.mechanism.lets[id.index()];
-                let rest = if sum.rest.is_constant() { sum.rest.clone() } else { Expr::Let(id) };
+                let rest = if sum.rest.is_constant() { sum.rest.clone() } else { Scalar::Let(id) };
                 (&self.facts.lets[id.index()], sum, rest)
             }
             Entity::Law(id) => {
                 let sum = &self.mechanism.dynamics.laws[id.index()];
-                (&self.facts.laws[id.index()], sum, Expr::Law(id))
+                (&self.facts.laws[id.index()], sum, Scalar::Law(id))
             }
             _ => return None,
         };
         let (measure, links, reads) = (facts.measure, sum.links.clone(), facts.reads);
         self.law_stands_here(name, reads)?;
         self.reads = self.reads.and(reads);
-        Some(Quantity { measure, links, rest })
+        Some(ResolvedExpr { measure, links, rest })
     }
 
     /// A law of rates or loads stands in forces, torques and outputs.

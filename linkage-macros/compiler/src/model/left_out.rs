@@ -4,7 +4,7 @@
 //! guide, pinned at P. Any other equation may be held by a drive on either side, and nobody says which.
 
 use super::mechanism::{
-    Drive, Equation, Expr, Group, Joint, LinkId, Mechanism, Slideway, Step, UnknownId,
+    Drive, Equation, Group, Joint, LinkId, Mechanism, Scalar, Slideway, Step, UnknownId,
 };
 use crate::exact::Exact;
 
@@ -14,8 +14,8 @@ impl Mechanism {
         self.unknowns.iter().all(|unknown| match &unknown.equation {
             Equation::Distance { .. } => true,
             Equation::Difference(sides) => {
-                sides.iter().any(|side| matches!(side, Expr::Offset(..)))
-                    && sides.iter().any(|side| !matches!(side, Expr::Offset(..)))
+                sides.iter().any(|side| matches!(side, Scalar::Offset(..)))
+                    && sides.iter().any(|side| !matches!(side, Scalar::Offset(..)))
             }
             Equation::Turn(_) => false,
         })
@@ -30,16 +30,16 @@ impl Mechanism {
         })
     }
 
-    fn has_an_unknown(&self, expr: &Expr) -> bool {
+    fn has_an_unknown(&self, expr: &Scalar) -> bool {
         match expr {
-            Expr::Unknown(_) => true,
-            Expr::Let(id) => self.has_an_unknown(&self.lets[id.index()].rest),
-            Expr::Negate(value) => self.has_an_unknown(value),
-            Expr::Chain(first, rest) => {
+            Scalar::Unknown(_) => true,
+            Scalar::Let(id) => self.has_an_unknown(&self.lets[id.index()].rest),
+            Scalar::Negate(value) => self.has_an_unknown(value),
+            Scalar::Chain(first, rest) => {
                 self.has_an_unknown(first)
                     || rest.iter().any(|(_, operand)| self.has_an_unknown(operand))
             }
-            Expr::Call(_, arguments) => arguments.iter().any(|expr| self.has_an_unknown(expr)),
+            Scalar::Call(_, arguments) => arguments.iter().any(|expr| self.has_an_unknown(expr)),
             _ => false,
         }
     }
@@ -59,7 +59,7 @@ impl Mechanism {
             }),
             Equation::Difference(sides) => {
                 let (point, guide) = sides.iter().find_map(|side| match side {
-                    Expr::Offset(point, guide) => Some((*point, *guide)),
+                    Scalar::Offset(point, guide) => Some((*point, *guide)),
                     _ => None,
                 })?;
                 behind.find(|group| {
@@ -74,8 +74,8 @@ impl Mechanism {
     }
 }
 
-fn is_zero(expr: &Expr) -> bool {
-    matches!(expr, Expr::Constant(value) if value.is_zero())
+fn is_zero(expr: &Scalar) -> bool {
+    matches!(expr, Scalar::Constant(value) if value.is_zero())
 }
 
 /// True if the joint slides along the x axis of a link, from which it has no offset.
@@ -88,7 +88,7 @@ fn is_in_a_square_slot(joint: &Joint) -> bool {
     let Some(Slideway::Slot { angle, .. }) = joint.slideway() else { return false };
     let right = || Exact::pi().div(&Exact::integer(2));
     match &angle.rest {
-        Expr::Constant(value) if angle.links.is_empty() && joint.offset().is_none_or(is_zero) => {
+        Scalar::Constant(value) if angle.links.is_empty() && joint.offset().is_none_or(is_zero) => {
             right().is_some_and(|right| value.sub(&right).is_zero())
         }
         _ => false,

@@ -9,10 +9,10 @@ use crate::syntax::words::UNITS;
 
 use super::Resolver;
 use super::dimension::Measure;
-use super::expressions::Quantity;
+use super::expressions::ResolvedExpr;
 use super::expressions::bare_name;
 use super::folding::shown;
-use super::mechanism::{Dimension, Expr, ParamKind};
+use super::mechanism::{Dimension, ParamKind, Scalar};
 use super::names::NUMBERS;
 use super::references::expressions;
 use super::units::{is_beside_si, unit};
@@ -34,12 +34,12 @@ impl Resolver<'_> {
         span: Extent,
         digits: &str,
         units: &[UnitPower],
-    ) -> Option<Quantity> {
+    ) -> Option<ResolvedExpr> {
         let value = Exact::decimal(digits);
         self.number_can_be_held(span, value.as_ref())?;
         let mut value = value?;
         if units.is_empty() {
-            return Some(Quantity::constant(Measure::Bare, value));
+            return Some(ResolvedExpr::constant(Measure::Bare, value));
         }
         let mut dimension = Dimension::NUMBER;
         for (name, power) in units {
@@ -55,7 +55,7 @@ impl Resolver<'_> {
         }
         self.number_can_be_held(span, Some(&value))?;
         self.facts.a_length_has_a_unit |= dimension.length != 0;
-        Some(Quantity::constant(Measure::Known(dimension), value))
+        Some(ResolvedExpr::constant(Measure::Known(dimension), value))
     }
 
     /// Reports letters behind a number that are no unit.
@@ -169,14 +169,14 @@ impl Resolver<'_> {
     pub(super) fn bare_angle_is_within_a_turn(
         &mut self,
         at: Extent,
-        quantity: &Quantity,
+        quantity: &ResolvedExpr,
     ) -> Option<()> {
         if quantity.measure != Measure::Bare {
             return Some(());
         }
         let (value, span) = match &quantity.rest {
-            Expr::Constant(value) => (value.clone(), at),
-            Expr::Param(id) => {
+            Scalar::Constant(value) => (value.clone(), at),
+            Scalar::Param(id) => {
                 let facts = &mut self.facts.params[id.index()];
                 let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
                 else {
@@ -233,14 +233,14 @@ impl Resolver<'_> {
     pub(super) fn bare_length_is_as_others(
         &mut self,
         span: Extent,
-        quantity: &Quantity,
+        quantity: &ResolvedExpr,
     ) -> Option<()> {
         if quantity.measure != Measure::Bare {
             return Some(());
         }
         let (value, span, param) = match &quantity.rest {
-            Expr::Constant(value) => (value, span, None),
-            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
+            Scalar::Constant(value) => (value, span, None),
+            Scalar::Param(id) => match &self.mechanism.params[id.index()].kind {
                 ParamKind::Number { default, .. } => {
                     (default, self.facts.params[id.index()].span, Some(*id))
                 }

@@ -7,9 +7,9 @@ use crate::syntax::tree;
 use crate::syntax::tree::MassSite as Written;
 
 use super::Resolver;
-use super::dynamics::{Mass, MassPlace, Quantity};
+use super::acting::{Magnitude, Mass, MassPlace};
 use super::folding::shown;
-use super::mechanism::{Body, Carrier, Dimension, Expr, LinkId, ParamKind, PointId};
+use super::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
 use super::names::Kind;
 
 impl Resolver<'_> {
@@ -34,7 +34,7 @@ impl Resolver<'_> {
         let place = self.mass_place(on, place)?;
         let mass = mass?;
         let inertia = match (inertia, &place) {
-            (None, _) => Quantity::zero(),
+            (None, _) => Magnitude::zero(),
             (Some((written, _)), MassPlace::Uniform(..)) => {
                 return self.inertia_is_superfluous(written, "`uniform` means m l²/12");
             }
@@ -56,8 +56,8 @@ impl Resolver<'_> {
     pub(super) fn inertia(&mut self, value: &tree::Expr, on: &Ident) -> Option<Mass> {
         let name = format!("inertia on {on}");
         let inertia = self.not_negative(value, Dimension::INERTIA, "a moment of inertia", name);
-        let place = MassPlace::At(self.link(on)?, [Expr::zero(), Expr::zero()]);
-        Some(Mass { place, mass: Quantity::zero(), inertia: inertia? })
+        let place = MassPlace::At(self.link(on)?, [Scalar::zero(), Scalar::zero()]);
+        Some(Mass { place, mass: Magnitude::zero(), inertia: inertia? })
     }
 
     /// A mass, an inertia or a number of a spring, made of constants and parameters; a constant one is
@@ -68,7 +68,7 @@ impl Resolver<'_> {
         dimension: Dimension,
         what: &str,
         name: String,
-    ) -> Option<Quantity> {
+    ) -> Option<Magnitude> {
         let fixed = self.changes_with_no_input(expr, what);
         let value = self.scalar(expr, dimension)?;
         fixed?;
@@ -78,25 +78,25 @@ impl Resolver<'_> {
     /// The number; a constant or a parameter below zero is reported.
     pub(super) fn not_below_zero(
         &mut self,
-        value: Expr,
+        value: Scalar,
         span: Extent,
         what: &str,
         name: String,
-    ) -> Option<Quantity> {
+    ) -> Option<Magnitude> {
         let (constant, span) = match &value {
-            Expr::Constant(constant) => (constant, span),
-            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
+            Scalar::Constant(constant) => (constant, span),
+            Scalar::Param(id) => match &self.mechanism.params[id.index()].kind {
                 ParamKind::Number { default, .. } => (default, self.facts.params[id.index()].span),
                 _ => return None,
             },
-            _ => return Some(Quantity { value, name }),
+            _ => return Some(Magnitude { value, name }),
         };
         if constant.signum().is_lt() {
             let message = format!("{what} of {}; make it zero or greater", shown(constant));
             self.diagnostics.error(span, message);
             return None;
         }
-        Some(Quantity { value, name })
+        Some(Magnitude { value, name })
     }
 
     fn mass_place(&mut self, on: &Ident, place: &Written) -> Option<MassPlace> {
@@ -151,7 +151,7 @@ impl Resolver<'_> {
     }
 
     /// Mass is spread evenly over a bar of constant length alone.
-    fn bar_is_uniform(&mut self, name: &Ident, link: LinkId, at: Span) -> Option<Expr> {
+    fn bar_is_uniform(&mut self, name: &Ident, link: LinkId, at: Span) -> Option<Scalar> {
         let facts = &self.facts.links[link.index()];
         let (is_bar, length) = (facts.is_bar, facts.length.clone());
         let message = match &length {
@@ -167,8 +167,8 @@ impl Resolver<'_> {
     }
 }
 
-impl Quantity {
+impl Magnitude {
     pub(super) fn zero() -> Self {
-        Self { value: Expr::zero(), name: String::new() }
+        Self { value: Scalar::zero(), name: String::new() }
     }
 }

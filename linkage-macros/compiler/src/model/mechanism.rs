@@ -8,9 +8,9 @@ use proc_macro2::Ident;
 use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
+use crate::model::acting::Dynamics;
 pub(crate) use crate::model::dimension::Dimension;
-use crate::model::dynamics::Dynamics;
-pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Expr, Operator};
+pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Operator, Scalar};
 pub(crate) use crate::model::findings::{Known, Rotatability};
 pub(crate) use crate::model::ids::{
     GroupId, GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId,
@@ -40,7 +40,7 @@ pub(crate) struct Mechanism {
     /// The steps that place points, guides and links, in solving order: a step uses only the results
     /// of earlier steps.
     pub steps: Vec<Step>,
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<DeclaredOutput>,
     /// The ranges of the cranks' turns that dyads of constants allow.
     pub rotatabilities: Vec<Rotatability>,
     /// Facts that constants fix about groups, for their docs.
@@ -163,7 +163,7 @@ pub(crate) struct Unknown {
     /// Its title is the unknown's name: what fails with it.
     pub group: GroupId,
     /// Where it is looked for, lower end first.
-    pub between: [Expr; 2],
+    pub between: [Scalar; 2],
     /// The number of steps before `unknown`, and before `solve`. The steps between depend on the
     /// trial.
     pub steps: [usize; 2],
@@ -173,13 +173,13 @@ pub(crate) struct Unknown {
     /// The sign of the slope of left − right at the wanted root: plus where it rises.
     pub mode: Mode,
     /// Where the root is expected.
-    pub near: Option<Expr>,
+    pub near: Option<Scalar>,
 }
 
 /// The expression that is zero at the root.
 pub(crate) enum Equation {
     /// left − right
-    Difference([Expr; 2]),
+    Difference([Scalar; 2]),
     /// An angle, within half a turn.
     Turn(AngleSum),
     /// The distance of two points is a length.
@@ -237,7 +237,7 @@ pub(crate) enum Numerics {
     Compensated,
 }
 
-pub(crate) struct Output {
+pub(crate) struct DeclaredOutput {
     /// The field of the result.
     pub field: Ident,
     pub docs: Vec<Attribute>,
@@ -254,7 +254,7 @@ pub(crate) enum OutputKind {
     },
     /// A named expression.
     Value {
-        value: Expr,
+        value: Scalar,
         dimension: Dimension,
     },
     /// A named angle that contains link angles: given by its direction.

@@ -9,6 +9,7 @@
 //! Nothing here knows how a mechanism is solved: no formula, and of numbers only what the rules
 //! need of constants.
 
+pub(crate) mod acting;
 mod actions;
 mod assembly;
 mod class_three;
@@ -17,7 +18,7 @@ mod contacts;
 mod dimension;
 mod drawn;
 mod driving_load;
-pub(crate) mod dynamics;
+mod dyads;
 mod dynamics_outputs;
 mod effort;
 mod effort_formulas;
@@ -29,7 +30,6 @@ mod facts;
 mod fields;
 mod findings;
 mod folding;
-mod groups;
 mod guides;
 mod ids;
 mod incidence;
@@ -54,7 +54,7 @@ mod rotatability;
 mod searched;
 mod settings;
 mod solves;
-mod springs;
+mod spring_damper;
 mod step;
 mod stub;
 mod titles;
@@ -175,7 +175,7 @@ struct Resolver<'d> {
     /// Readings so far of the expression in hand.
     reads: facts::Reads,
     /// Efforts that the output in hand has read so far; none where no expression reads one.
-    efforts_read: Option<Vec<dynamics::Effort>>,
+    efforts_read: Option<Vec<acting::Effort>>,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
     /// The unknown between its `unknown` and its `solve`.

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::nearest;
-use crate::syntax::tree::{Expr, Group};
+use crate::syntax::tree::{Expr, GroupStatement};
 
 use super::Resolver;
 use super::expressions::bare_name;
@@ -49,7 +49,7 @@ pub(super) fn side_word(word: &Ident) -> Option<Sign> {
 }
 
 /// The group's links slide on each other.
-fn is_slide(group: &Group) -> bool {
+fn is_slide(group: &GroupStatement) -> bool {
     GroupSpec::of(&group.keyword.to_string()).is_some_and(GroupSpec::has_inner_slide)
 }
 
@@ -57,7 +57,7 @@ impl Resolver<'_> {
     /// The mode of a group that has modes.
     pub(super) fn mode(
         &mut self,
-        group: &Group,
+        group: &GroupStatement,
         anatomy: &GroupSpec,
         fields: &Fields,
     ) -> Option<Mode> {
@@ -86,7 +86,7 @@ impl Resolver<'_> {
     }
 
     /// A mode given by name is a mode parameter of the group's own kind.
-    fn mode_param(&mut self, word: &Ident, modes: Modes, group: &Group) -> Option<Mode> {
+    fn mode_param(&mut self, word: &Ident, modes: Modes, group: &GroupStatement) -> Option<Mode> {
         if self.names.kind(word) != Some(Kind::Param) {
             if !self.unread.may_hold(&word.to_string()) {
                 self.mode_exists(word, modes, group);
@@ -117,7 +117,7 @@ impl Resolver<'_> {
     }
 
     /// Reports a word that is no mode at all.
-    fn mode_exists(&mut self, word: &Ident, modes: Modes, group: &Group) {
+    fn mode_exists(&mut self, word: &Ident, modes: Modes, group: &GroupStatement) {
         let text = word.to_string();
         let known = modes.words().into_iter().chain(self.names.of_kinds(&[Kind::Param]));
         let message = match nearest(&text, known) {
@@ -134,7 +134,7 @@ impl Resolver<'_> {
     }
 
     /// Both modes in the names of the group at hand.
-    pub(super) fn modes_explained(&self, modes: Modes, group: &Group) -> String {
+    pub(super) fn modes_explained(&self, modes: Modes, group: &GroupStatement) -> String {
         let joint = |i: usize| {
             let joint = group.legs.get(i).and_then(|leg| leg.joint.as_ref());
             joint.map_or("the outer joint".into(), |joint| format!("`{joint}`"))

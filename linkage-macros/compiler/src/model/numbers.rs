@@ -8,25 +8,25 @@ use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::Resolver;
 use super::dimension::Measure;
-use super::expressions::{ANGLE_REASON, Quantity};
+use super::expressions::{ANGLE_REASON, ResolvedExpr};
 use super::folding::shown;
-use super::mechanism::{AngleSum, Dimension, Expr, ParamKind};
+use super::mechanism::{AngleSum, Dimension, ParamKind, Scalar};
 use super::names::{Entity, Kind};
 
 impl Resolver<'_> {
     /// A length of either sign.
-    pub(super) fn length(&mut self, expr: &tree::Expr) -> Option<Expr> {
+    pub(super) fn length(&mut self, expr: &tree::Expr) -> Option<Scalar> {
         self.scalar(expr, Dimension::LENGTH)
     }
 
     /// Two lengths of either sign.
-    pub(super) fn lengths(&mut self, [first, second]: &[tree::Expr; 2]) -> Option<[Expr; 2]> {
+    pub(super) fn lengths(&mut self, [first, second]: &[tree::Expr; 2]) -> Option<[Scalar; 2]> {
         let (first, second) = (self.length(first), self.length(second));
         Some([first?, second?])
     }
 
     /// An angle without link angles.
-    pub(super) fn plain_angle(&mut self, expr: &tree::Expr) -> Option<Expr> {
+    pub(super) fn plain_angle(&mut self, expr: &tree::Expr) -> Option<Scalar> {
         self.scalar(expr, Dimension::ANGLE)
     }
 
@@ -37,7 +37,7 @@ impl Resolver<'_> {
         Some(quantity.turn())
     }
 
-    pub(super) fn scalar(&mut self, expr: &tree::Expr, wanted: Dimension) -> Option<Expr> {
+    pub(super) fn scalar(&mut self, expr: &tree::Expr, wanted: Dimension) -> Option<Scalar> {
         let quantity = self.quantity(expr)?;
         self.dimension_fits(expr, &quantity, wanted)?;
         self.no_link_angle(expr, &quantity)?;
@@ -48,7 +48,7 @@ impl Resolver<'_> {
     pub(super) fn dimension_fits(
         &mut self,
         expr: &tree::Expr,
-        quantity: &Quantity,
+        quantity: &ResolvedExpr,
         wanted: Dimension,
     ) -> Option<()> {
         if quantity.measure.fits(wanted) {
@@ -129,7 +129,11 @@ impl Resolver<'_> {
     }
 
     /// A link's angle stands in sums of angles alone, never where one definite number is needed.
-    pub(super) fn no_link_angle(&mut self, expr: &tree::Expr, quantity: &Quantity) -> Option<()> {
+    pub(super) fn no_link_angle(
+        &mut self,
+        expr: &tree::Expr,
+        quantity: &ResolvedExpr,
+    ) -> Option<()> {
         let Some(&(link, _)) = quantity.links.first() else {
             return Some(());
         };
@@ -203,7 +207,7 @@ impl Resolver<'_> {
         &mut self,
         function: Function,
         arguments: &[tree::Expr],
-        values: &[Quantity],
+        values: &[ResolvedExpr],
     ) -> Option<Measure> {
         match function.measures() {
             Measures::Root => {
@@ -248,12 +252,12 @@ impl Resolver<'_> {
     pub(super) fn length_is_positive(
         &mut self,
         expr: &tree::Expr,
-        value: &Expr,
+        value: &Scalar,
         what: &str,
     ) -> Option<()> {
         let (constant, span) = match value {
-            Expr::Constant(constant) => (constant, expr.span),
-            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
+            Scalar::Constant(constant) => (constant, expr.span),
+            Scalar::Param(id) => match &self.mechanism.params[id.index()].kind {
                 ParamKind::Number { default, .. } => (default, self.facts.params[id.index()].span),
                 _ => return Some(()),
             },
@@ -262,7 +266,7 @@ impl Resolver<'_> {
         if constant.signum().is_gt() {
             return Some(());
         }
-        if let Expr::Param(id) = value
+        if let Scalar::Param(id) = value
             && std::mem::replace(&mut self.facts.params[id.index()].blamed, true)
         {
             return None;

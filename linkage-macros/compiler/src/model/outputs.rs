@@ -9,8 +9,8 @@ use crate::syntax::anatomy::GroupSpec;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
-use super::expressions::{Quantity, bare_name};
-use super::mechanism::{Expr as Resolved, LinkId, Output, OutputKind};
+use super::expressions::{ResolvedExpr, bare_name};
+use super::mechanism::{DeclaredOutput, LinkId, OutputKind, Scalar as Resolved};
 use super::names::{Entity, Kind};
 
 pub(super) const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
@@ -52,32 +52,32 @@ impl Resolver<'_> {
     }
 
     /// A point, a link, an unknown or a named expression as an output, under its own name.
-    pub(super) fn whole(&self, entity: Entity) -> Option<Output> {
+    pub(super) fn whole(&self, entity: Entity) -> Option<DeclaredOutput> {
         let mechanism = &self.mechanism;
         Some(match entity {
             Entity::Point(id) => {
                 let point = &mechanism.points[id.index()];
                 let kind = OutputKind::Point(id);
-                Output { field: point.name.clone(), docs: point.docs.clone(), kind }
+                DeclaredOutput { field: point.name.clone(), docs: point.docs.clone(), kind }
             }
             Entity::Link(id) => {
                 let link = &mechanism.links[id.index()];
                 let kind = OutputKind::Link { link: id, direction: true, slide: link.slides };
-                Output { field: link.name.clone(), docs: link.docs.clone(), kind }
+                DeclaredOutput { field: link.name.clone(), docs: link.docs.clone(), kind }
             }
             // A number with its rates, between its ends.
             Entity::Unknown(id) => {
                 let unknown = &mechanism.unknowns[id.index()];
                 let (value, dimension) = (Resolved::Unknown(id), unknown.dimension);
                 let kind = OutputKind::Value { value, dimension };
-                Output { field: unknown.name.clone(), docs: unknown.docs.clone(), kind }
+                DeclaredOutput { field: unknown.name.clone(), docs: unknown.docs.clone(), kind }
             }
             _ => return None,
         })
     }
 
     fn give_whole(&mut self, at: Span, docs: &[Attribute], entity: Entity) {
-        if let Some(Output { field, docs: own, kind }) = self.whole(entity) {
+        if let Some(DeclaredOutput { field, docs: own, kind }) = self.whole(entity) {
             self.give(at, field, &[docs, &own].concat(), kind);
         }
     }
@@ -113,7 +113,7 @@ impl Resolver<'_> {
     }
 
     /// A number, or an angle that contains link angles.
-    fn give_quantity(&mut self, name: &Ident, docs: &[Attribute], quantity: Quantity) {
+    fn give_quantity(&mut self, name: &Ident, docs: &[Attribute], quantity: ResolvedExpr) {
         let kind = if quantity.links.is_empty() {
             let dimension = quantity.measure.dimension();
             OutputKind::Value { value: quantity.rest, dimension }
@@ -370,6 +370,6 @@ impl Resolver<'_> {
         {
             return self.output_is_given_twice(span, &field.to_string());
         }
-        self.mechanism.outputs.push(Output { field, docs: docs.to_vec(), kind });
+        self.mechanism.outputs.push(DeclaredOutput { field, docs: docs.to_vec(), kind });
     }
 }

@@ -4,14 +4,14 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::exact::Exact;
-use crate::reach::{absolute, triangle};
+use crate::reach::{absolute, apex};
 use crate::syntax::tree::{self, Expr as Written};
 
 use super::Resolver;
 use super::assembly::{constants, polar};
 use super::expressions::bare_name;
 use super::folding::shown;
-use super::mechanism::{Carrier, Expr, GroupName, Length, LinkId, PartOf, Placement, Sign, Step};
+use super::mechanism::{Carrier, GroupName, Length, LinkId, PartOf, Placement, Scalar, Sign, Step};
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
@@ -38,10 +38,10 @@ impl Resolver<'_> {
         docs: &[Attribute],
         name: &Ident,
         on: Option<&Ident>,
-        place: &tree::Place,
+        place: &tree::PointPlace,
     ) {
         let carrier = self.carrier(on);
-        let damaged = matches!(place, tree::Place::Mistake);
+        let damaged = matches!(place, tree::PointPlace::Mistake);
         let place = self.place(name, carrier, place);
         // Where its link is not known, neither is the point.
         let Some(carrier) = carrier.filter(|_| !damaged) else {
@@ -78,19 +78,19 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         carrier: Option<Carrier>,
-        place: &tree::Place,
+        place: &tree::PointPlace,
     ) -> Option<Placement> {
         match place {
-            tree::Place::Mistake => None,
-            tree::Place::Cartesian(place) => {
+            tree::PointPlace::Mistake => None,
+            tree::PointPlace::Cartesian(place) => {
                 self.place_is_not_polar(place)?;
                 self.lengths(place).map(Placement::Cartesian)
             }
-            tree::Place::Polar([radius, angle]) => {
+            tree::PointPlace::Polar([radius, angle]) => {
                 let (radius, angle) = (self.length(radius), self.plain_angle(angle));
                 Some(Placement::Polar(radius?, angle?))
             }
-            tree::Place::Distances(distances, side) => {
+            tree::PointPlace::Distances(distances, side) => {
                 let which = ["first", "second"];
                 let values = [0, 1].map(|i| {
                     let value = self.length(&distances[i])?;
@@ -138,7 +138,7 @@ impl Resolver<'_> {
     }
 
     /// Distances are measured from the two joints of a bar. Gives the bar's length.
-    fn distances_have_a_bar(&mut self, name: &Ident, carrier: Carrier) -> Option<Expr> {
+    fn distances_have_a_bar(&mut self, name: &Ident, carrier: Carrier) -> Option<Scalar> {
         let Carrier::Link(link) = carrier else {
             let message = "distances need a bar; write `point … on BC at distances …`";
             let reason = "they are measured from the bar's outer joint and from its pin";
@@ -162,7 +162,7 @@ impl Resolver<'_> {
         name: &Ident,
         carrier: Carrier,
         distances: &[Length; 2],
-        length: &Expr,
+        length: &Scalar,
     ) -> Option<()> {
         let [first, second] = distances.each_ref().map(|distance| distance.value.constant());
         let (Some(a), Some(b), Some(l)) = (first, second, length.constant()) else {
@@ -200,7 +200,7 @@ fn constant_place(place: &Placement) -> Option<[Exact; 2]> {
         Placement::Distances { distances, length, side } => {
             let [first, second] = distances;
             let distances = [first.value.constant()?, second.value.constant()?];
-            let [x, y] = triangle::apex(distances, length.constant()?)?;
+            let [x, y] = apex::apex(distances, length.constant()?)?;
             Some([x, if *side == Sign::Plus { y } else { y.neg() }])
         }
     }

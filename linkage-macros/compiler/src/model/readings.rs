@@ -8,8 +8,8 @@ use crate::syntax::tree;
 use super::Resolver;
 use super::dimension::Measure;
 use super::expressions::bare_name;
-use super::expressions::{Quantity, counted};
-use super::mechanism::{Axis, Carrier, Expr, GuideId, LinkId, PointId, Step};
+use super::expressions::{ResolvedExpr, counted};
+use super::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar, Step};
 use super::names::Kind;
 
 /// Words under which a user may look for a rate among the members of a point.
@@ -22,13 +22,13 @@ fn is_of_forces(word: &str) -> bool {
 
 impl Resolver<'_> {
     /// The value of a member of a point or a link in an expression.
-    pub(super) fn member(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
+    pub(super) fn member(&mut self, owner: &Ident, member: &Ident) -> Option<ResolvedExpr> {
         match self.names.kind(owner) {
             Some(Kind::Point) => {
                 let point = self.point(owner);
                 let axis = self.axis(owner, member);
                 let value = self.coordinate(point?, axis?);
-                Some(Quantity::plain(Measure::LENGTH, value))
+                Some(ResolvedExpr::plain(Measure::LENGTH, value))
             }
             Some(Kind::Input) if is_of_forces(&member.to_string()) => {
                 self.friction_is_implicit(member);
@@ -66,20 +66,24 @@ impl Resolver<'_> {
 
     /// A coordinate in ground axes: a number where the point stands still at a known place, the
     /// expression it was declared with where it is a point of the ground.
-    fn coordinate(&self, point: PointId, axis: Axis) -> Expr {
-        let of = |[x, y]: &[Expr; 2]| if axis == Axis::X { x.clone() } else { y.clone() };
+    fn coordinate(&self, point: PointId, axis: Axis) -> Scalar {
+        let of = |[x, y]: &[Scalar; 2]| if axis == Axis::X { x.clone() } else { y.clone() };
         if let Some(at) = self.facts.place(point, Carrier::Ground) {
-            return of(&at.clone().map(Expr::Constant));
+            return of(&at.clone().map(Scalar::Constant));
         }
         let declared = self.mechanism.steps.iter().find_map(|step| match step {
             Step::Ground { point: known, at } if *known == point => Some(of(at)),
             _ => None,
         });
-        declared.unwrap_or(Expr::Coordinate(point, axis))
+        declared.unwrap_or(Scalar::Coordinate(point, axis))
     }
 
     /// `distance(P, Q)`: a number where both points are fixed to one body.
-    pub(super) fn distance(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<Quantity> {
+    pub(super) fn distance(
+        &mut self,
+        name: &Ident,
+        arguments: &[tree::Expr],
+    ) -> Option<ResolvedExpr> {
         let points: Vec<_> = arguments.iter().map(|argument| self.end(argument)).collect();
         let [p, q] = points[..] else {
             let message =
@@ -94,10 +98,10 @@ impl Resolver<'_> {
             return None;
         }
         let value = match self.facts.between(p, q) {
-            Some([x, y]) => Expr::Constant(x.hypot(&y)),
-            None => Expr::Distance([p, q]),
+            Some([x, y]) => Scalar::Constant(x.hypot(&y)),
+            None => Scalar::Distance([p, q]),
         };
-        Some(Quantity::plain(Measure::LENGTH, value))
+        Some(ResolvedExpr::plain(Measure::LENGTH, value))
     }
 
     /// `offset(P, guide)`: a number where both are fixed to one body.
@@ -105,7 +109,7 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         arguments: &[tree::Expr],
-    ) -> Option<Quantity> {
+    ) -> Option<ResolvedExpr> {
         let [point, line] = arguments else {
             let given = counted(arguments.len());
             let message = format!("`{name}` takes a point and a guide, and {given} given");
@@ -115,10 +119,10 @@ impl Resolver<'_> {
         let (point, line) = (self.offset_of_a_point(point), self.offset_from_a_line(line));
         let (point, guide) = (point?, line?);
         let value = match self.facts.line_and_place(guide, point) {
-            Some((line, at)) => Expr::Constant(line.distance(at)),
-            None => Expr::Offset(point, guide),
+            Some((line, at)) => Scalar::Constant(line.distance(at)),
+            None => Scalar::Offset(point, guide),
         };
-        Some(Quantity::plain(Measure::LENGTH, value))
+        Some(ResolvedExpr::plain(Measure::LENGTH, value))
     }
 
     fn offset_of_a_point(&mut self, argument: &tree::Expr) -> Option<PointId> {
@@ -181,17 +185,17 @@ impl Resolver<'_> {
     }
 
     /// The value of a link's member: its angle, or its slide if it slides.
-    fn member_of_link(&mut self, owner: &Ident, member: &Ident) -> Option<Quantity> {
+    fn member_of_link(&mut self, owner: &Ident, member: &Ident) -> Option<ResolvedExpr> {
         let link = self.link(owner);
         match member.to_string().as_str() {
-            "angle" => Some(Quantity {
+            "angle" => Some(ResolvedExpr {
                 measure: Measure::ANGLE,
                 links: vec![(link?, 1)],
-                rest: Expr::zero(),
+                rest: Scalar::zero(),
             }),
             "slide" => {
                 self.link_slides(owner, link?, member)?;
-                Some(Quantity::plain(Measure::LENGTH, Expr::Slide(link?)))
+                Some(ResolvedExpr::plain(Measure::LENGTH, Scalar::Slide(link?)))
             }
             "friction" if self.efforts_read.is_some() => {
                 self.friction_is_at_a_joint(owner, member);

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::syntax::tree::{
-    Course, Declaration, Expr, ExprKind, Group, Place, Spot, Statement, StatementKind,
+    Course, Declaration, Expr, ExprKind, GroupStatement, PointPlace, Spot, Statement, StatementKind,
 };
 
 use super::mechanism::References;
@@ -79,7 +79,7 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
         StatementKind::Param { default: value, .. } | StatementKind::Let { value, .. } => f(value),
         StatementKind::Drive(drive) => f(&drive.value),
         StatementKind::Link { fields, .. } => {
-            fields.iter().flat_map(Group::values).for_each(f);
+            fields.iter().flat_map(GroupStatement::values).for_each(f);
         }
         StatementKind::Ground { points } | StatementKind::Pin { points } => {
             points.iter().flat_map(|(_, place)| place).for_each(f);
@@ -93,10 +93,12 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
             }
         }
         StatementKind::Point { place, .. } => match place {
-            Place::Cartesian(values) | Place::Polar(values) | Place::Distances(values, _) => {
+            PointPlace::Cartesian(values)
+            | PointPlace::Polar(values)
+            | PointPlace::Distances(values, _) => {
                 values.iter().for_each(f);
             }
-            Place::Mistake => {}
+            PointPlace::Mistake => {}
         },
         StatementKind::Group(group) => group.values().for_each(f),
         StatementKind::Unknown { between, .. } => between.iter().flatten().for_each(f),

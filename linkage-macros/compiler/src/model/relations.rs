@@ -1,8 +1,8 @@
 //! Owners, carriers and motion, read from steps and joints.
 
 use super::mechanism::{
-    AngleSum, Body, Carrier, Drive, Expr, Group, GuideDirection, GuideId, Joint, LinkId, Mechanism,
-    PartOf, Placement, PointId, Slideway, Step,
+    AngleSum, Body, Carrier, Drive, Group, GuideDirection, GuideId, Joint, LinkId, Mechanism,
+    PartOf, Placement, PointId, Scalar, Slideway, Step,
 };
 
 impl Mechanism {
@@ -84,7 +84,7 @@ impl Mechanism {
 
     /// Tells whether a point's coordinates in the frame of its carrier change with an input.
     pub(crate) fn coordinates_move(&self, carrier: Carrier, point: PointId) -> [bool; 2] {
-        let moves = |values: &[&Expr]| values.iter().any(|value| self.moves(value));
+        let moves = |values: &[&Scalar]| values.iter().any(|value| self.moves(value));
         let found = self.steps.iter().find_map(|step| match step {
             Step::Point { point: made, carrier: own, place, .. }
                 if *made == point && *own == carrier =>
@@ -108,26 +108,26 @@ impl Mechanism {
     }
 
     /// Tells whether the expression changes with an input.
-    pub(crate) fn moves(&self, expr: &Expr) -> bool {
+    pub(crate) fn moves(&self, expr: &Scalar) -> bool {
         match expr {
-            Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => false,
-            Expr::Input(_)
-            | Expr::Unknown(_)
-            | Expr::Slide(_)
-            | Expr::Coordinate(..)
-            | Expr::Distance(_)
-            | Expr::Offset(..)
-            | Expr::Twist(_)
-            | Expr::Law(_)
-            | Expr::Effort(..)
-            | Expr::Rate(_) => true,
-            Expr::Let(id) => self.turns(&self.lets[id.index()]),
-            Expr::Negate(value) => self.moves(value),
-            Expr::AboveZero(inner) => self.moves(&inner.value),
-            Expr::Chain(first, rest) => {
+            Scalar::Constant(_) | Scalar::Param(_) | Scalar::Load(_) | Scalar::Pull => false,
+            Scalar::Input(_)
+            | Scalar::Unknown(_)
+            | Scalar::Slide(_)
+            | Scalar::Coordinate(..)
+            | Scalar::Distance(_)
+            | Scalar::Offset(..)
+            | Scalar::Twist(_)
+            | Scalar::Law(_)
+            | Scalar::Effort(..)
+            | Scalar::Rate(_) => true,
+            Scalar::Let(id) => self.turns(&self.lets[id.index()]),
+            Scalar::Negate(value) => self.moves(value),
+            Scalar::AboveZero(inner) => self.moves(&inner.value),
+            Scalar::Chain(first, rest) => {
                 self.moves(first) || rest.iter().any(|(_, operand)| self.moves(operand))
             }
-            Expr::Call(_, arguments) => arguments.iter().any(|argument| self.moves(argument)),
+            Scalar::Call(_, arguments) => arguments.iter().any(|argument| self.moves(argument)),
         }
     }
 

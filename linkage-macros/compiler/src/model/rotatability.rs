@@ -12,8 +12,8 @@ use super::Resolver;
 use super::assembly::constants;
 use super::folding::shown;
 use super::mechanism::{
-    AngleSum, Carrier, Drive, Expr, Group, GroupId, GroupName, GuideDirection, GuideId, InputId,
-    LinkId, Mechanism, Point, PointId, Rotatability, Step, Through,
+    AngleSum, Carrier, Drive, Group, GroupId, GroupName, GuideDirection, GuideId, InputId, LinkId,
+    Mechanism, Point, PointId, Rotatability, Scalar, Step, Through,
 };
 
 /// A crank on the ground: its circle and what turns it.
@@ -108,7 +108,7 @@ fn crank<'m>(
         return None;
     }
     let input = match angle.rest {
-        Expr::Input(input) => Some(input),
+        Scalar::Input(input) => Some(input),
         _ => None,
     };
     Some((pin, TurningCrank { link: group.links[0], pivot, radius, input, name: pin }))

@@ -6,9 +6,9 @@ use crate::diagnostics::nearest;
 use crate::syntax::tree::{self, Solve};
 
 use super::Resolver;
-use super::expressions::Quantity;
+use super::expressions::ResolvedExpr;
 use super::expressions::bare_name;
-use super::mechanism::{Dimension, Equation, Expr, Length, Mode, Operator, ParamKind};
+use super::mechanism::{Dimension, Equation, Length, Mode, Operator, ParamKind, Scalar};
 use super::modes::{trend_word, words_of};
 use super::names::{Entity, Kind};
 use super::searched::Searched;
@@ -87,15 +87,15 @@ impl Resolver<'_> {
     /// The equation of two sides: its expression is zero where they are equal.
     fn between_sides(
         &mut self,
-        (left, a): (&tree::Expr, Quantity),
-        (right, b): (&tree::Expr, Quantity),
+        (left, a): (&tree::Expr, ResolvedExpr),
+        (right, b): (&tree::Expr, ResolvedExpr),
     ) -> Option<Equation> {
         if !a.links.is_empty() || !b.links.is_empty() {
             let difference = self.sum(Operator::Sub, (left.span, a), (right, b))?;
             return Some(Equation::Turn(difference.turn()));
         }
-        let is_distance = |side: &Quantity| match side.rest {
-            Expr::Distance(points) => Some(points),
+        let is_distance = |side: &ResolvedExpr| match side.rest {
+            Scalar::Distance(points) => Some(points),
             _ => None,
         };
         let (points, written, length, is_left) = match (is_distance(&a), is_distance(&b)) {
@@ -120,7 +120,7 @@ impl Resolver<'_> {
         equation: &Equation,
     ) -> Option<()> {
         let searched = self.searched.as_ref()?;
-        let changes = |expr: &Expr| self.changes_with(searched, expr);
+        let changes = |expr: &Scalar| self.changes_with(searched, expr);
         let moves = match equation {
             Equation::Difference(sides) => sides.iter().any(changes),
             Equation::Turn(turn) => {
@@ -128,7 +128,7 @@ impl Resolver<'_> {
                 changes(&turn.rest) || turn.links.iter().any(|&(link, _)| reaches(searched, link))
             }
             Equation::Distance { points, length, .. } => {
-                changes(&Expr::Distance(*points)) || changes(&length.value)
+                changes(&Scalar::Distance(*points)) || changes(&length.value)
             }
         };
         if moves {
@@ -195,7 +195,7 @@ impl Resolver<'_> {
     }
 
     /// Where a search begins is known before it.
-    fn near(&mut self, near: &tree::Expr, dimension: Dimension) -> Option<Expr> {
+    fn near(&mut self, near: &tree::Expr, dimension: Dimension) -> Option<Scalar> {
         let value = self.scalar(near, dimension)?;
         let searched = self.searched.as_ref()?;
         if !self.changes_with(searched, &value) {

@@ -1,6 +1,6 @@
 //! Steps: statements that place points, guides and links, in solving order.
 
-use crate::model::expr::{AngleSum, Expr};
+use crate::model::expr::{AngleSum, Scalar};
 use crate::model::ids::{GroupId, GuideId, PointId};
 use crate::model::incidence::{Carrier, Group, Length, Sign};
 
@@ -12,18 +12,18 @@ pub(crate) enum GuideDirection {
 
 pub(crate) enum Through {
     /// Coordinates in the carrier's frame.
-    At([Expr; 2]),
+    At([Scalar; 2]),
     Point(PointId),
 }
 
 pub(crate) enum Placement {
-    Cartesian([Expr; 2]),
+    Cartesian([Scalar; 2]),
     /// Distance from the carrier's origin, angle against its x.
-    Polar(Expr, Expr),
+    Polar(Scalar, Scalar),
     /// Distances from the carrier's two joints, `length` apart on its x; `Plus` is left of it.
     Distances {
         distances: [Length; 2],
-        length: Expr,
+        length: Scalar,
         side: Sign,
     },
 }
@@ -32,7 +32,7 @@ pub(crate) enum Placement {
 pub(crate) enum Step {
     Ground {
         point: PointId,
-        at: [Expr; 2],
+        at: [Scalar; 2],
     },
     Guide {
         guide: GuideId,

@@ -17,16 +17,17 @@ use crate::syntax::anatomy::{GroupSpec, Modes, Pin};
 use crate::syntax::tree::{self, Action, Declaration, Statement, StatementKind};
 
 use super::Resolver;
-use super::dimension::Measure;
-use super::dynamics::{
-    Dynamics, Effort, Ends, Load, Mass, MassPlace, Quantity, RequestedEffort, Spring, Stop, Stopped,
+use super::acting::{
+    Dynamics, Effort, Ends, Load, Magnitude, Mass, MassPlace, RequestedEffort, Spring, Stop,
+    Stopped,
 };
+use super::dimension::Measure;
 use super::expressions::bare_name;
 use super::facts::{GuideFacts, ParamFacts};
 use super::mechanism::{
-    AngleSum, Carrier, Dimension, Expr, GroupId, GroupName, Guide, GuideId, Input, InputId,
-    Mechanism, Numerics, Output, OutputKind, Param, ParamId, ParamKind, PartOf, PointId,
-    References, Sign, SpringId, StopId,
+    AngleSum, Carrier, DeclaredOutput, Dimension, GroupId, GroupName, Guide, GuideId, Input,
+    InputId, Mechanism, Numerics, OutputKind, Param, ParamId, ParamKind, PartOf, PointId,
+    References, Scalar, Sign, SpringId, StopId,
 };
 use super::modes::mode_word;
 use super::names::{Entity, Kind, declared_by};
@@ -162,16 +163,16 @@ impl Resolver<'_> {
                     true => Ends::Bodies([Carrier::Ground; 2]),
                     false => Ends::Points([PointId(0); 2]),
                 };
-                let [stiffness, damping, free] = [(); 3].map(|()| Quantity::zero());
+                let [stiffness, damping, free] = [(); 3].map(|()| Magnitude::zero());
                 let name = Some(name);
                 let springs = &mut self.mechanism.dynamics.springs;
                 springs.push(Spring { name, docs, ends, stiffness, damping, free });
                 Entity::Spring(SpringId(springs.len() as u32 - 1))
             }
             StatementKind::Action(Action::Stop(_)) => {
-                let of = Stopped::Angle(AngleSum { links: Vec::new(), rest: Expr::zero() });
-                let ends = [(); 2].map(|()| Expr::zero());
-                let [stiffness, damping] = [(); 2].map(|()| Quantity::zero());
+                let of = Stopped::Angle(AngleSum { links: Vec::new(), rest: Scalar::zero() });
+                let ends = [(); 2].map(|()| Scalar::zero());
+                let [stiffness, damping] = [(); 2].map(|()| Magnitude::zero());
                 let name = Some(name);
                 let stops = &mut self.mechanism.dynamics.stops;
                 stops.push(Stop { name, docs, of, ends, stiffness, damping });
@@ -207,7 +208,11 @@ impl Resolver<'_> {
         if self.mechanism.outputs.is_empty() {
             // A record without a field could not have a type parameter.
             let name = Ident::new("nothing_", Span::call_site());
-            self.mechanism.outputs.push(Output { field: name, docs: Vec::new(), kind: number() });
+            self.mechanism.outputs.push(DeclaredOutput {
+                field: name,
+                docs: Vec::new(),
+                kind: number(),
+            });
         }
     }
 
@@ -222,11 +227,11 @@ impl Resolver<'_> {
                     self.whole(it)
                 }
                 None if kind == Kind::Unknown => {
-                    Some(Output { field: name.clone(), docs: Vec::new(), kind: number() })
+                    Some(DeclaredOutput { field: name.clone(), docs: Vec::new(), kind: number() })
                 }
                 _ => None,
             };
-            let is_new = |output: &Output| !self.has_field(&output.field);
+            let is_new = |output: &DeclaredOutput| !self.has_field(&output.field);
             let output = output.filter(is_new);
             self.mechanism.outputs.extend(output);
         }
@@ -245,7 +250,7 @@ impl Resolver<'_> {
         if self.mechanism.dynamics.masses.is_empty() {
             // Where it is says nothing: it is there for what is offered where something has mass.
             let place = MassPlace::Pin(PointId(0));
-            let [mass, inertia] = [(); 2].map(|()| Quantity::zero());
+            let [mass, inertia] = [(); 2].map(|()| Magnitude::zero());
             self.mechanism.dynamics.masses.push(Mass { place, mass, inertia });
         }
         self.every_effort_is_given();
@@ -263,7 +268,7 @@ impl Resolver<'_> {
     }
 
     /// The efforts and reactions of links as they are written.
-    fn forces_of_group(&mut self, group: &tree::Group) {
+    fn forces_of_group(&mut self, group: &tree::GroupStatement) {
         let Some(anatomy) = GroupSpec::of(&group.keyword.to_string()) else { return };
         for (leg, slides) in group.legs.iter().zip(anatomy.slides()) {
             let Some(Entity::Link(link)) = self.names.made(&leg.link) else { continue };
@@ -319,5 +324,5 @@ impl Resolver<'_> {
 }
 
 fn number() -> OutputKind {
-    OutputKind::Value { value: Expr::zero(), dimension: NUMBER }
+    OutputKind::Value { value: Scalar::zero(), dimension: NUMBER }
 }

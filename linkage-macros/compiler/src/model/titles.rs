@@ -1,6 +1,6 @@
 //! Titles of groups, springs, forces and inputs in errors.
 
-use super::dynamics::{Contact, Ends, Force, Spring};
+use super::acting::{Contact, Ends, Force, Spring};
 use crate::function::Function;
 
 use super::mechanism::{Carrier, Mechanism, PointId};

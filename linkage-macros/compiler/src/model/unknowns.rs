@@ -10,11 +10,11 @@ use crate::reach::turn::Range;
 use crate::syntax::tree::{self, Declaration};
 
 use super::Resolver;
-use super::dynamics::Effort;
+use super::acting::Effort;
 use super::folding::shown_in_degrees;
 use super::inputs::KINDS;
 use super::mechanism::{
-    AngleSum, Dimension, Drive, Equation, Expr, GroupName, Mode, ParamKind, Sign, Unknown,
+    AngleSum, Dimension, Drive, Equation, GroupName, Mode, ParamKind, Scalar, Sign, Unknown,
     UnknownId,
 };
 use super::names::{Entity, Kind};
@@ -44,7 +44,7 @@ impl Resolver<'_> {
         });
         let steps = [self.mechanism.steps.len(); 2];
         // Nothing is solved by it: what has no `solve` is reported.
-        let equation = Equation::Turn(AngleSum { links: Vec::new(), rest: Expr::zero() });
+        let equation = Equation::Turn(AngleSum { links: Vec::new(), rest: Scalar::zero() });
         self.mechanism.unknowns.push(Unknown {
             name: name.clone(),
             docs: docs.to_vec(),
@@ -81,7 +81,7 @@ impl Resolver<'_> {
         name: &Ident,
         written: &[tree::Expr; 2],
         dimension: Dimension,
-    ) -> Option<[Expr; 2]> {
+    ) -> Option<[Scalar; 2]> {
         let ends = written.each_ref().map(|end| {
             self.end_depends_on_no_input(end, name)?;
             self.scalar(end, dimension)
@@ -110,11 +110,11 @@ impl Resolver<'_> {
     }
 
     /// The declared value of a constant or a parameter, or of the negative of one.
-    fn declared(&self, expr: &Expr) -> Option<Exact> {
+    fn declared(&self, expr: &Scalar) -> Option<Exact> {
         match expr {
-            Expr::Constant(value) => Some(value.clone()),
-            Expr::Negate(value) => Some(self.declared(value)?.neg()),
-            Expr::Param(id) => match &self.mechanism.params[id.index()].kind {
+            Scalar::Constant(value) => Some(value.clone()),
+            Scalar::Negate(value) => Some(self.declared(value)?.neg()),
+            Scalar::Param(id) => match &self.mechanism.params[id.index()].kind {
                 ParamKind::Number { default, .. } => Some(default.clone()),
                 _ => None,
             },
@@ -146,29 +146,31 @@ impl Resolver<'_> {
     }
 
     /// True if the value changes with the unknown that is searched.
-    pub(super) fn changes_with(&self, searched: &Searched, expr: &Expr) -> bool {
-        let changes = |expr: &Expr| self.changes_with(searched, expr);
+    pub(super) fn changes_with(&self, searched: &Searched, expr: &Scalar) -> bool {
+        let changes = |expr: &Scalar| self.changes_with(searched, expr);
         let reaches = |entity| searched.reaches(entity);
         match expr {
-            Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => {
-                false
-            }
+            Scalar::Constant(_)
+            | Scalar::Input(_)
+            | Scalar::Param(_)
+            | Scalar::Load(_)
+            | Scalar::Pull => false,
             // Only forces read these.
-            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => false,
-            Expr::Unknown(id) => *id == searched.id,
-            Expr::Let(id) => reaches(Entity::Let(*id)),
-            Expr::Slide(link) => reaches(Entity::Link(*link)),
-            Expr::Coordinate(point, _) => reaches(Entity::Point(*point)),
-            Expr::Distance(points) => points.iter().any(|&point| reaches(Entity::Point(point))),
-            Expr::Offset(point, guide) => {
+            Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => false,
+            Scalar::Unknown(id) => *id == searched.id,
+            Scalar::Let(id) => reaches(Entity::Let(*id)),
+            Scalar::Slide(link) => reaches(Entity::Link(*link)),
+            Scalar::Coordinate(point, _) => reaches(Entity::Point(*point)),
+            Scalar::Distance(points) => points.iter().any(|&point| reaches(Entity::Point(point))),
+            Scalar::Offset(point, guide) => {
                 reaches(Entity::Point(*point)) || reaches(Entity::Guide(*guide))
             }
-            Expr::Negate(value) => changes(value),
-            Expr::AboveZero(inner) => changes(&inner.value),
-            Expr::Chain(first, rest) => {
+            Scalar::Negate(value) => changes(value),
+            Scalar::AboveZero(inner) => changes(&inner.value),
+            Scalar::Chain(first, rest) => {
                 changes(first) || rest.iter().any(|(_, operand)| changes(operand))
             }
-            Expr::Call(_, arguments) => arguments.iter().any(changes),
+            Scalar::Call(_, arguments) => arguments.iter().any(changes),
         }
     }
 
@@ -189,14 +191,14 @@ impl Resolver<'_> {
     /// Where a dyad of constants stops the crank that an unknown turns, both ends lie on one side.
     pub(super) fn ends_can_be_assembled(&mut self) {
         for group in self.mechanism.group_steps() {
-            let Some(Drive::Angle { angle: AngleSum { links, rest: Expr::Unknown(id) }, .. }) =
+            let Some(Drive::Angle { angle: AngleSum { links, rest: Scalar::Unknown(id) }, .. }) =
                 &group.outer[0].drive
             else {
                 continue;
             };
             let link = group.links[0];
             let ends = &self.mechanism.unknowns[id.index()].between;
-            let [Some(from), Some(to)] = ends.each_ref().map(Expr::constant) else { continue };
+            let [Some(from), Some(to)] = ends.each_ref().map(Scalar::constant) else { continue };
             let [from, to] = [from, to].map(|end| end.to_f64().to_degrees());
             let found =
                 self.mechanism.rotatabilities.iter().find_map(|found| match &found.turn.range {

@@ -6,11 +6,11 @@
 //! Nothing here knows a mechanism.
 
 mod affine;
-mod chain;
 mod collect;
 mod conditions;
 mod contract;
 mod fold;
+mod product_sums;
 mod simplify;
 #[cfg(test)]
 mod tests;
@@ -27,7 +27,7 @@ pub(crate) const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
 /// The passes in order.
 pub(crate) fn optimise(program: &Program) -> Program {
     // Among two products that are added, the one that is known last is added last.
-    let chained = chain::negate_within(&chain::chain_products(&shortened(program)));
+    let chained = product_sums::negate_within(&product_sums::chain_products(&shortened(program)));
     // A product that only a sum uses is part of a fused operation.
     contract::fuse_products(&chained)
 }

@@ -3,8 +3,8 @@
 //!
 //! The rules of the model ask here and put the answers into words.
 
+pub(crate) mod apex;
 pub(crate) mod line;
-pub(crate) mod triangle;
 pub(crate) mod turn;
 
 use crate::exact::Exact;

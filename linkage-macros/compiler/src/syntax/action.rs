@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{
-    Action, FrictionSite, FrictionStatement, Group, MassSite, StatementKind, StopStatement,
+    Action, FrictionSite, FrictionStatement, GroupStatement, MassSite, StatementKind, StopStatement,
 };
 
 /// Words that say that something has mass or acts.
@@ -183,7 +183,7 @@ impl Parser<'_> {
             return self.expected_because("`between`", SPRING_FORM);
         }
         let ends = self.ends("a point or a link", SPRING_FORM)?;
-        let mut fields = Group::without_links(keyword.clone(), self.end());
+        let mut fields = GroupStatement::without_links(keyword.clone(), self.end());
         self.fields_in_braces(&mut fields);
         Ok(Action::Spring { name, ends, fields })
     }
@@ -201,7 +201,7 @@ impl Parser<'_> {
             return self.expected_because("`(from, to)`", STOP_FORM);
         }
         let ends = self.pair("`(from, to)`")?;
-        let mut fields = Group::without_links(keyword.clone(), self.end());
+        let mut fields = GroupStatement::without_links(keyword.clone(), self.end());
         self.fields_in_braces(&mut fields);
         Ok(Action::Stop(StopStatement { name, of, ends, fields }))
     }

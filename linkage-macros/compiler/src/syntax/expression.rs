@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
 
 use super::aftermath::placeholder;
-use super::literal;
+use super::number;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{BinaryOp, Expr, ExprKind};
 use super::words;
@@ -99,7 +99,7 @@ impl Parser<'_> {
 
     fn number(&mut self, text: &str) -> Parse<Expr> {
         let first = self.here();
-        let mut number = match literal::number(text) {
+        let mut number = match number::number(text) {
             Ok(number) => number,
             Err((message, reason)) => return self.refuse_because(&message, reason),
         };

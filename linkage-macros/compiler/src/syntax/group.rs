@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
 use super::anatomy::GroupSpec;
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Expr, Field, FieldValue, Group, Leg};
+use super::tree::{Expr, GroupField, GroupFieldValue, GroupStatement, Leg};
 use super::words;
 
 impl Parser<'_> {
@@ -21,8 +21,8 @@ impl Parser<'_> {
     }
 
     /// The group behind its keyword.
-    pub(super) fn group(&mut self, keyword: Ident) -> Group {
-        let mut group = Group::without_links(keyword, self.end());
+    pub(super) fn group(&mut self, keyword: Ident) -> GroupStatement {
+        let mut group = GroupStatement::without_links(keyword, self.end());
         if self.head(&mut group).is_err() {
             group.head_is_read = false;
             self.skip_to_braces();
@@ -32,7 +32,7 @@ impl Parser<'_> {
     }
 
     /// Reads the fields behind the head of a statement with braces.
-    pub(super) fn fields_in_braces(&mut self, group: &mut Group) {
+    pub(super) fn fields_in_braces(&mut self, group: &mut GroupStatement) {
         match self.take_group(Delimiter::Brace) {
             Some(braces) => {
                 group.end = braces.span_close();
@@ -59,7 +59,7 @@ impl Parser<'_> {
     }
 
     /// Legs and pin.
-    fn head(&mut self, group: &mut Group) -> Parse<()> {
+    fn head(&mut self, group: &mut GroupStatement) -> Parse<()> {
         loop {
             let link = self.new_name("a link")?;
             let joint = self.joint(&link);
@@ -159,7 +159,7 @@ impl Parser<'_> {
         self.give_up_since(self.start);
     }
 
-    fn fields(&mut self, braces: &Delimited, group: &mut Group) {
+    fn fields(&mut self, braces: &Delimited, group: &mut GroupStatement) {
         let mut inner = self.inside(braces);
         while !inner.at_end() {
             let first = inner.next;
@@ -169,10 +169,10 @@ impl Parser<'_> {
                 continue;
             };
             let span = inner.here();
-            let mistake = FieldValue::One(Expr::mistake(span));
+            let mistake = GroupFieldValue::One(Expr::mistake(span));
             let value = inner.field_value(&name);
             let failed = value.is_err();
-            let mut field = Field { name, value: value.unwrap_or(mistake.clone()) };
+            let mut field = GroupField { name, value: value.unwrap_or(mistake.clone()) };
             if failed {
                 inner.skip_field(first);
             } else if inner.decimal_comma() || inner.bare_pair(&field.name) || !inner.field_ends() {
@@ -229,7 +229,7 @@ impl Parser<'_> {
         }
     }
 
-    fn field_value(&mut self, name: &Ident) -> Parse<FieldValue> {
+    fn field_value(&mut self, name: &Ident) -> Parse<GroupFieldValue> {
         if !self.is_punct(0, ':') || self.is_sign([':', ':']) {
             if self.at_end() || self.is_punct(0, ',') {
                 self.diagnostics.error(name.span(), format!("write `{name}: …`"));
@@ -251,11 +251,11 @@ impl Parser<'_> {
             );
         }
         match self.pair_begins() {
-            true => Ok(FieldValue::Pair(self.pair("`(first, second)`")?)),
+            true => Ok(GroupFieldValue::Pair(self.pair("`(first, second)`")?)),
             false if self.at_end() || self.is_punct(0, ',') => {
                 self.expected(&format!("the value of `{name}`"))
             }
-            false => Ok(FieldValue::One(self.expression()?)),
+            false => Ok(GroupFieldValue::One(self.expression()?)),
         }
     }
 

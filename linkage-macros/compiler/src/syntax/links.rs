@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
 use super::tokens::{Parse, Parser};
-use super::tree::{DrawnLink, DriveStatement, Group, StatementKind};
+use super::tree::{DrawnLink, DriveStatement, GroupStatement, StatementKind};
 
 const LINK: &str =
     "a link is named with the pins through it, its first one in front: `link BC(B, C);`";
@@ -29,7 +29,7 @@ impl Parser<'_> {
         }
         let fields = match self.is_group(0, Delimiter::Brace) {
             true => {
-                let mut fields = Group::without_links(keyword.clone(), self.end());
+                let mut fields = GroupStatement::without_links(keyword.clone(), self.end());
                 self.fields_in_braces(&mut fields);
                 Some(fields)
             }

@@ -41,7 +41,7 @@ mod declaration;
 pub(crate) mod expression;
 mod group;
 mod links;
-mod literal;
+mod number;
 mod recovery;
 mod slips;
 mod solve;

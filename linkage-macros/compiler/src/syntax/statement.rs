@@ -7,7 +7,7 @@
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Course, Expr, OutputItem, Place, Spot, StatementKind};
+use super::tree::{Course, Expr, OutputItem, PointPlace, Spot, StatementKind};
 
 const COORDINATES: &str = "`(x, y)`";
 
@@ -198,11 +198,11 @@ impl Parser<'_> {
         let name = self.new_name("a point")?;
         let mut on = None;
         let place = self.place(&name, &mut on);
-        let place = self.or_skip(place, Place::Mistake);
+        let place = self.or_skip(place, PointPlace::Mistake);
         Ok(StatementKind::Point { name, on, place })
     }
 
-    fn place(&mut self, name: &Ident, on: &mut Option<Ident>) -> Parse<Place> {
+    fn place(&mut self, name: &Ident, on: &mut Option<Ident>) -> Parse<PointPlace> {
         const FORMS: &str = "a place is `at (x, y)`, `at polar (r, angle)` or \
                              `at distances (r1, r2) left`";
         if self.is_group(0, Delimiter::Parenthesis) {
@@ -219,7 +219,7 @@ impl Parser<'_> {
             return self.expected_because(what, FORMS);
         }
         if self.take_word("polar") {
-            return Ok(Place::Polar(self.pair("`(r, angle)`")?));
+            return Ok(PointPlace::Polar(self.pair("`(r, angle)`")?));
         }
         if self.take_word("distances") {
             let distances = self.pair("`(r1, r2)`")?;
@@ -232,10 +232,10 @@ impl Parser<'_> {
                     );
                 }
             };
-            return Ok(Place::Distances(distances, side));
+            return Ok(PointPlace::Distances(distances, side));
         }
         match self.is_group(0, Delimiter::Parenthesis) {
-            true => Ok(Place::Cartesian(self.pair(COORDINATES)?)),
+            true => Ok(PointPlace::Cartesian(self.pair(COORDINATES)?)),
             false => self.expected_because("`(x, y)`, `polar` or `distances`", FORMS),
         }
     }

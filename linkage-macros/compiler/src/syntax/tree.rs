@@ -64,7 +64,7 @@ pub(crate) enum StatementKind {
     /// `pin B(80mm, 0), C(600mm, 360mm);`: where joints and tracer points are in the drawing.
     Pin { points: Vec<(Ident, [Expr; 2])> },
     /// `link AB(A, B), block(Q) on slot;` or `link lift(F, G) { length: s }`
-    Link { links: Vec<DrawnLink>, fields: Option<Group> },
+    Link { links: Vec<DrawnLink>, fields: Option<GroupStatement> },
     /// `drive AB.angle = theta;`
     Drive(DriveStatement),
     /// `drive theta by pull;`: the load that puts in the effort of an input.
@@ -72,9 +72,9 @@ pub(crate) enum StatementKind {
     /// `guide slot on BC through P towards C;`
     Guide { name: Ident, on: Option<Ident>, through: Spot, course: Course },
     /// `point P on BC at …;`
-    Point { name: Ident, on: Option<Ident>, place: Place },
+    Point { name: Ident, on: Option<Ident>, place: PointPlace },
     /// Everything with braces of fields: crank, slider and the dyads.
-    Group(Group),
+    Group(GroupStatement),
     /// `load cut: force;`; without a kind only after a mistake.
     Load { names: Vec<Ident>, kind: Option<Ident> },
     /// A mass or an action.
@@ -115,7 +115,7 @@ pub(crate) enum Action {
     TorqueBetween { value: Expr, bodies: [Ident; 2] },
     /// `spring shock between P and Q { stiffness: 15(N/m), free_length: 0.3m }`: two points, or two
     /// bodies. Its fields are read like those of a group.
-    Spring { name: Option<Ident>, ends: [Ident; 2], fields: Group },
+    Spring { name: Option<Ident>, ends: [Ident; 2], fields: GroupStatement },
     /// `friction 0.1 at C radius 8mm;`
     Friction(FrictionStatement),
     /// `stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }`
@@ -128,7 +128,7 @@ pub(crate) struct StopStatement {
     pub name: Option<Ident>,
     pub of: Expr,
     pub ends: [Expr; 2],
-    pub fields: Group,
+    pub fields: GroupStatement,
 }
 
 /// Friction at a pin or a guide, and where its word stands.
@@ -217,12 +217,12 @@ impl Action {
 
 /// `rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }`.
 #[derive(Clone)]
-pub(crate) struct Group {
+pub(crate) struct GroupStatement {
     /// `crank`, `slider`, `rrr`, …; not yet known to be one of them.
     pub keyword: Ident,
     pub legs: Vec<Leg>,
     pub pin: Option<Ident>,
-    pub fields: Vec<Field>,
+    pub fields: Vec<GroupField>,
     /// The closing brace, where a missing field is reported.
     pub end: Span,
     /// True if all of its legs and its pin were read. After a mistake none of them is reported
@@ -266,7 +266,7 @@ pub(crate) struct Solve {
     pub is_read: bool,
 }
 
-impl Group {
+impl GroupStatement {
     /// A statement with fields, but without links or a pin.
     pub(super) fn without_links(keyword: Ident, end: Span) -> Self {
         Self {
@@ -283,8 +283,8 @@ impl Group {
     /// The values of its fields.
     pub(crate) fn values(&self) -> impl Iterator<Item = &Expr> {
         self.fields.iter().flat_map(|field| match &field.value {
-            FieldValue::One(value) => std::slice::from_ref(value),
-            FieldValue::Pair(values) => values,
+            GroupFieldValue::One(value) => std::slice::from_ref(value),
+            GroupFieldValue::Pair(values) => values,
         })
     }
 
@@ -304,13 +304,13 @@ pub(crate) struct Leg {
 
 /// `lengths: (632mm, 374mm)`.
 #[derive(Clone)]
-pub(crate) struct Field {
+pub(crate) struct GroupField {
     pub name: Ident,
-    pub value: FieldValue,
+    pub value: GroupFieldValue,
 }
 
 #[derive(Clone)]
-pub(crate) enum FieldValue {
+pub(crate) enum GroupFieldValue {
     /// A mode is an expression that is a bare name.
     One(Expr),
     Pair([Expr; 2]),
@@ -335,7 +335,7 @@ pub(crate) enum Course {
 }
 
 #[derive(Clone)]
-pub(crate) enum Place {
+pub(crate) enum PointPlace {
     /// `at (x, y)`
     Cartesian([Expr; 2]),
     /// `at polar (r, 20deg)`

@@ -6,10 +6,10 @@ use crate::codegen::c_export::c_identifiers::distinct;
 use crate::codegen::c_export::header;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
-use crate::interface::entries::Given;
+use crate::interface::entries::ArgumentKind;
 use crate::interface::records::{Record, Shape};
 use crate::ir::graph::Node;
-use crate::lower::places::{Part, Place, place};
+use crate::lower::places::{ArgumentPart, Place, place};
 use crate::model::mechanism::Mechanism;
 
 /// The argument that points to the parameters.
@@ -32,28 +32,28 @@ pub(super) fn param(mechanism: &Mechanism, name: &str) -> String {
 }
 
 /// The name of an argument that holds this.
-fn name_of(given: Given) -> &'static str {
+fn name_of(given: ArgumentKind) -> &'static str {
     match given {
-        Given::Value => "q",
-        Given::Rate => "qd",
-        Given::Acceleration => "qdd",
-        Given::Cosine => "cosine",
-        Given::Sine => "sine",
-        Given::Loads => "loads",
-        Given::Drives => "drives",
+        ArgumentKind::Value => "q",
+        ArgumentKind::Rate => "qd",
+        ArgumentKind::Acceleration => "qdd",
+        ArgumentKind::Cosine => "cosine",
+        ArgumentKind::Sine => "sine",
+        ArgumentKind::Loads => "loads",
+        ArgumentKind::Drives => "drives",
     }
 }
 
 impl In<'_> {
     /// The arguments of a function of our own: types in front, or the names alone.
-    pub(super) fn declared(self, given: &[Given]) -> Vec<String> {
+    pub(super) fn declared(self, given: &[ArgumentKind]) -> Vec<String> {
         let own = self.has_params().then(|| format!("const {} *{PARAMETERS}", self.params_type()));
         let arguments = Arguments::new(self.cx, given);
-        let declare = |(given, (_, form)): (&Given, _)| self.declare(&form, name_of(*given));
+        let declare = |(given, (_, form)): (&ArgumentKind, _)| self.declare(&form, name_of(*given));
         own.into_iter().chain(given.iter().zip(arguments.parts()).map(declare)).collect()
     }
 
-    pub(super) fn names(self, given: &[Given]) -> Vec<String> {
+    pub(super) fn names(self, given: &[ArgumentKind]) -> Vec<String> {
         let own = self.has_params().then(|| PARAMETERS.to_string());
         own.into_iter().chain(given.iter().map(|&given| name_of(given).to_string())).collect()
     }
@@ -132,20 +132,22 @@ impl In<'_> {
     }
 
     /// The expression that reads an input, a load, a drive or a parameter among these arguments.
-    pub(super) fn leaf(self, given: &[Given], node: Node) -> Option<String> {
+    pub(super) fn leaf(self, given: &[ArgumentKind], node: Node) -> Option<String> {
         let (mechanism, interface) = (self.cx.mechanism, self.cx.interface);
         Some(match place(mechanism, interface, given, node)? {
             Place::Param(field) => format!("{PARAMETERS}->{}", param(mechanism, &text(field))),
-            Place::Argument(at, Part::All) => name_of(given[at]).to_string(),
-            Place::Argument(at, Part::Field(field)) => {
+            Place::Argument(at, ArgumentPart::All) => name_of(given[at]).to_string(),
+            Place::Argument(at, ArgumentPart::Field(field)) => {
                 let record = match given[at] {
-                    Given::Loads => interface.loads,
+                    ArgumentKind::Loads => interface.loads,
                     _ => interface.inputs,
                 };
                 let record = interface.record(record.expect("several have a record"));
                 format!("{}->{}", name_of(given[at]), field_of(record, &text(field)))
             }
-            Place::Argument(at, Part::Index(index)) => format!("{}[{index}]", name_of(given[at])),
+            Place::Argument(at, ArgumentPart::Index(index)) => {
+                format!("{}[{index}]", name_of(given[at]))
+            }
         })
     }
 }

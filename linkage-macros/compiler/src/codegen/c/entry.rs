@@ -5,7 +5,7 @@ use super::c_names::{is_array, quoted};
 use super::two_paths::{Destination, indented};
 use crate::codegen::c_export::c_identifiers::default;
 use crate::codegen::printer::sum;
-use crate::interface::entries::{Entry, Given};
+use crate::interface::entries::{ArgumentKind, Entry};
 use crate::interface::records::Shape;
 use crate::interface::{EntryId, labels};
 use crate::ir::graph::Node;
@@ -65,7 +65,7 @@ impl In<'_> {
     }
 
     /// A comparison of inputs with a limit.
-    fn kept(self, given: &[Given], bound: &Bound) -> String {
+    fn kept(self, given: &[ArgumentKind], bound: &Bound) -> String {
         let read = |node| self.leaf(given, node).expect("what is asked is given");
         let ending = self.ending();
         match *bound {

@@ -11,7 +11,7 @@ use crate::codegen::c_export::c_identifiers::{Width, snake_case};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
-use crate::interface::entries::{Analysis, Entry, Given};
+use crate::interface::entries::{Analysis, ArgumentKind, Entry};
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::interface::{Interface, labels};
@@ -63,20 +63,20 @@ const SHOWN: [Analysis; 3] = [Analysis::Motion, Analysis::Forces, Analysis::Ener
 const PARAMETERS: usize = 6;
 
 /// The place of an argument's first variable in `first`.
-fn kind(given: Given) -> usize {
+fn kind(given: ArgumentKind) -> usize {
     match given {
-        Given::Value => 0,
-        Given::Rate => 1,
-        Given::Acceleration => 2,
-        Given::Drives => 3,
-        Given::Loads => 4,
-        Given::Cosine | Given::Sine => 5,
+        ArgumentKind::Value => 0,
+        ArgumentKind::Rate => 1,
+        ArgumentKind::Acceleration => 2,
+        ArgumentKind::Drives => 3,
+        ArgumentKind::Loads => 4,
+        ArgumentKind::Cosine | ArgumentKind::Sine => 5,
     }
 }
 
 /// The entry point that computes second rates of the inputs from the efforts of their drives.
 fn of_drives(interface: &Interface) -> Option<&Entry> {
-    interface.entries.iter().find(|entry| entry.given.contains(&Given::Drives))
+    interface.entries.iter().find(|entry| entry.given.contains(&ArgumentKind::Drives))
 }
 
 /// The names and texts of the files of an FMU, beside those of its solver.
@@ -138,7 +138,10 @@ impl<'a> Model<'a> {
         let mechanism = self.to.cx.mechanism;
         let count = mechanism.inputs.len();
         for (order, ending) in Order::ALL.into_iter().zip(["", "_rate", "_acceleration"]) {
-            let nth = kind([Given::Value, Given::Rate, Given::Acceleration][order as usize]);
+            let nth = kind(
+                [ArgumentKind::Value, ArgumentKind::Rate, ArgumentKind::Acceleration]
+                    [order as usize],
+            );
             self.first[nth] = self.variables.len();
             for (at, input) in mechanism.inputs.iter().enumerate() {
                 let drawn = mechanism.drawn.as_ref().map_or(0.0, |drawn| drawn[at]);
@@ -159,13 +162,13 @@ impl<'a> Model<'a> {
     /// The efforts of the drives, and the loads.
     fn add_efforts(&mut self) {
         let mechanism = self.to.cx.mechanism;
-        self.first[kind(Given::Drives)] = self.variables.len();
+        self.first[kind(ArgumentKind::Drives)] = self.variables.len();
         let driven = if self.is_dynamic { &mechanism.inputs[..] } else { &[] };
         for input in driven {
             let unit = if input.dimension.angle { "N·m" } else { "N" };
             self.add(format!("drive of {}", text(&input.name)), Role::Input, unit.into(), 0.0);
         }
-        self.first[kind(Given::Loads)] = self.variables.len();
+        self.first[kind(ArgumentKind::Loads)] = self.variables.len();
         if !self.is_dynamic && !self.to.cx.interface.has(Analysis::Forces) {
             return;
         }

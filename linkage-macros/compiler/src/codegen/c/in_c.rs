@@ -6,16 +6,16 @@ use crate::codegen::c_export::c_identifiers::snake_case;
 use crate::codegen::identifiers::text;
 use crate::codegen::printer::{Dialect, Operation, Printer};
 use crate::codegen::text::Text;
-use crate::interface::entries::Given;
+use crate::interface::entries::ArgumentKind;
 use crate::ir::check::Comparison;
 use crate::ir::graph::{Id, Node};
-use crate::lower::routine::{Amounts, Condition, Statement, StraightAmounts, Threshold};
+use crate::lower::routine::{Amounts, Condition, Instruction, StraightAmounts, Threshold};
 use crate::lower::used::{Asks, Used};
 
 /// C of one width on one path.
 pub(super) struct InC<'a> {
     pub to: In<'a>,
-    pub given: &'a [Given],
+    pub given: &'a [ArgumentKind],
     pub asks: Asks,
     pub used: &'a Used,
     /// The words in front of a name that is bound once.
@@ -198,7 +198,7 @@ impl Dialect for InC<'_> {
     }
 
     /// Following is not offered.
-    fn tell(_: &Printer<'_, Self>, _: &[Statement], _: &[Id], _: &mut Text) {}
+    fn tell(_: &Printer<'_, Self>, _: &[Instruction], _: &[Id], _: &mut Text) {}
 }
 
 /// The amounts that straight-line code has found, and what shows it.

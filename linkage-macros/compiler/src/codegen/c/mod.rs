@@ -19,7 +19,7 @@ use super::c_export::c_identifiers::{Width, snake_case};
 use super::c_export::header;
 use super::context::Context;
 use super::identifiers::text;
-use crate::lower::routine::{Lowered, Statement};
+use crate::lower::routine::{Instruction, Lowered};
 use crate::model::mechanism::Mechanism;
 
 /// Prints the files of a mechanism: name and text of its header and its source, then those of the run-time, which
@@ -71,7 +71,7 @@ fn rubs(lowered: &Lowered<'_>) -> bool {
     let stages = lowered.routines.iter().flat_map(|routine| &routine.stages);
     stages
         .flat_map(|stage| &stage.statements)
-        .any(|statement| matches!(statement, Statement::Amounts(_)))
+        .any(|statement| matches!(statement, Instruction::Amounts(_)))
 }
 
 /// The printer of numbers of one width.

@@ -10,7 +10,7 @@ use crate::codegen::printer::{Dialect, Printer};
 use crate::codegen::text::Text;
 use crate::ir::graph::Id;
 use crate::lower::TRIAL;
-use crate::lower::routine::{Search, Statement};
+use crate::lower::routine::{Instruction, Search};
 use crate::lower::used::{Asks, Used};
 
 impl<'a> In<'a> {
@@ -26,9 +26,9 @@ impl<'a> In<'a> {
 
     fn is_searched(self, nth: usize) -> bool {
         let stages = self.cx.lowered.routines.iter().flat_map(|routine| &routine.stages);
-        stages
-            .flat_map(|stage| &stage.statements)
-            .any(|statement| matches!(statement, Statement::Find { search, .. } if *search == nth))
+        stages.flat_map(|stage| &stage.statements).any(
+            |statement| matches!(statement, Instruction::Find { search, .. } if *search == nth),
+        )
     }
 
     pub(super) fn root_name(self, search: &Search) -> String {

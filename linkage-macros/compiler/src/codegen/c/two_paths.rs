@@ -6,12 +6,12 @@ use super::c_names::is_array;
 use super::in_c::InC;
 use crate::codegen::printer::{Dialect, Printer};
 use crate::codegen::text::Text;
-use crate::interface::entries::Given;
+use crate::interface::entries::ArgumentKind;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Shape, field_of_motion};
 use crate::ir::graph::Node;
 use crate::lower::places::{Place, place};
-use crate::lower::routine::{Routine, Statement};
+use crate::lower::routine::{Instruction, Routine};
 use crate::lower::used::{Asks, Used};
 
 impl In<'_> {
@@ -80,7 +80,7 @@ impl In<'_> {
     }
 
     /// The arguments that none of these leaves is read from.
-    fn unread(self, given: &[Given], leaves: &[Node]) -> Vec<String> {
+    fn unread(self, given: &[ArgumentKind], leaves: &[Node]) -> Vec<String> {
         let (mechanism, interface) = (self.cx.mechanism, self.cx.interface);
         let place = |&leaf: &Node| place(mechanism, interface, given, leaf);
         let first = usize::from(self.has_params());
@@ -125,7 +125,7 @@ impl In<'_> {
         routine: &Routine,
         stage: usize,
         asks: Asks,
-        given: &[Given],
+        given: &[ArgumentKind],
         to: Destination,
     ) -> String {
         let mut list = self.names(given);
@@ -170,9 +170,9 @@ impl In<'_> {
     }
 
     /// An argument in place of rates that are not read.
-    fn at_rest(self, given: Given) -> String {
+    fn at_rest(self, given: ArgumentKind) -> String {
         match (given, self.cx.inputs()) {
-            (Given::Rate | Given::Acceleration, Some(_)) => "q".to_string(),
+            (ArgumentKind::Rate | ArgumentKind::Acceleration, Some(_)) => "q".to_string(),
             _ => self.number(0.0, 0.0),
         }
     }
@@ -210,8 +210,11 @@ fn pointer(is_staged: bool, nth: usize) -> String {
 
 /// True if the slow path of a routine asks anything.
 fn to_diagnose(routine: &Routine) -> bool {
-    let asks = |statement: &Statement| {
-        matches!(statement, Statement::Check(_) | Statement::Find { .. } | Statement::Amounts(_))
+    let asks = |statement: &Instruction| {
+        matches!(
+            statement,
+            Instruction::Check(_) | Instruction::Find { .. } | Instruction::Amounts(_)
+        )
     };
     routine.stages.iter().flat_map(|stage| &stage.statements).any(asks)
 }

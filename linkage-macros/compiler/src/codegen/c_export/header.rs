@@ -6,7 +6,7 @@ use super::c_identifiers::{Width, default, distinct, function, snake_case};
 use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text as plain;
-use crate::codegen::{docs, forces};
+use crate::codegen::{docs, force_docs};
 use crate::interface::entries::{Analysis, Entry};
 use crate::interface::labels;
 use crate::interface::quantity::Order;
@@ -186,7 +186,7 @@ fn about_field(cx: &Context<'_>, subject: Subject) -> String {
         Subject::Load(index) => {
             format!("In {}", unit(cx.mechanism.dynamics.loads[index].dimension, Order::Position))
         }
-        Subject::Effort(index) => forces::describe(cx, index),
+        Subject::Effort(index) => force_docs::describe(cx, index),
         Subject::Efforts(first) => {
             format!("Forces of {}", plain(&cx.mechanism.dynamics.asked[first].owner))
         }

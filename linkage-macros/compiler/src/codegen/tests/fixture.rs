@@ -35,22 +35,22 @@ pub(super) fn number(name: &str, default: &str) -> Param {
     Param { name: ident(name), docs: Vec::new(), kind }
 }
 
-pub(super) fn output(field: &str, kind: OutputKind) -> Output {
-    Output { field: ident(field), docs: Vec::new(), kind }
+pub(super) fn output(field: &str, kind: OutputKind) -> DeclaredOutput {
+    DeclaredOutput { field: ident(field), docs: Vec::new(), kind }
 }
 
 fn group(keyword: &str, title: &str) -> GroupName {
     GroupName { keyword: ident(keyword), title: title.to_string() }
 }
 
-pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<Output>) -> Mechanism {
+pub(super) fn mechanism(name: &str, inputs: Vec<Input>, outputs: Vec<DeclaredOutput>) -> Mechanism {
     let empty = Mechanism::empty(Vec::new(), syn::parse_quote!(pub), ident(name));
     Mechanism { inputs, outputs, ..empty }
 }
 
 /// One input `theta` and one output, the value `y`, which a single entry computes.
 pub(super) fn one_value(build: impl FnOnce(&mut Graph) -> Id) -> (Mechanism, Program) {
-    let kind = OutputKind::Value { value: Expr::Input(InputId(0)), dimension: LENGTH };
+    let kind = OutputKind::Value { value: Scalar::Input(InputId(0)), dimension: LENGTH };
     let mechanism = mechanism("Tiny", vec![input("theta", ANGLE)], vec![output("y", kind)]);
     let mut graph = Graph::new();
     let sinks = vec![build(&mut graph)];
@@ -252,7 +252,7 @@ pub(super) fn table() -> (Mechanism, Program) {
     };
     let output_of =
         |link, direction| OutputKind::Link { link: LinkId(link), direction, slide: true };
-    let sum = Expr::Input(InputId(0));
+    let sum = Scalar::Input(InputId(0));
     let area = Dimension { length: 2, ..Dimension::NUMBER };
     let outputs = vec![
         output("ram", output_of(0, true)),

@@ -4,7 +4,7 @@ use super::{generate, line_by_line};
 use crate::equations;
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::interpret::{Given, Number, interpret};
+use crate::ir::interpret::{Number, ProgramValues, interpret};
 use crate::oracle::mechanism;
 use crate::passes;
 use crate::reach::turn::Range;
@@ -97,8 +97,13 @@ fn assembles(source: &str) -> impl Fn(f64) -> bool {
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
     move |degrees: f64| {
         let inputs = vec![[degrees.to_radians(), 0.0, 0.0]];
-        let given =
-            Given { inputs, params: Vec::new(), loads: Vec::new(), drives: Vec::new(), unit: None };
+        let given = ProgramValues {
+            inputs,
+            params: Vec::new(),
+            loads: Vec::new(),
+            drives: Vec::new(),
+            unit: None,
+        };
         let values = interpret(&program, &given);
         let entry = program.answer("position");
         let sinks = &entry.expect("there is a position").sinks;

@@ -32,7 +32,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::reactions::{Acting, Inner, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
-use crate::model::dynamics::{Contact, Effort, Friction};
+use crate::model::acting::{Contact, Effort, Friction};
 use crate::model::mechanism::{Carrier, Group};
 use amount::Row;
 pub(super) use by_load::walked as walked_by_load;
@@ -42,7 +42,7 @@ use system::solved;
 
 /// The place of a contact in the group whose reactions press it.
 #[derive(Clone, Copy)]
-enum Place {
+enum ContactPlace {
     /// The outer joint of the link with this index.
     Outer(usize),
     /// The inner pin, on the link with this index.
@@ -55,7 +55,7 @@ enum Place {
 struct Rubbing<'s> {
     friction: usize,
     contact: Contact,
-    place: Place,
+    place: ContactPlace,
     /// Coefficient, of a pin times the radius.
     share: Sym<'s>,
     /// Factor of a guide's couple: 2/b, or zero where it does not count.
@@ -119,10 +119,10 @@ impl<'s> Walk<'_, 's> {
         let index = index.expect("the group makes the link");
         let place = match declared.contact {
             Contact::Pin { pin, .. } if group.pin == Some(pin) && group.links.len() == 2 => {
-                Place::Pin(index)
+                ContactPlace::Pin(index)
             }
-            Contact::Guide(_) if group.outer[index].guide().is_none() => Place::Slide,
-            Contact::Pin { .. } | Contact::Guide(_) => Place::Outer(index),
+            Contact::Guide(_) if group.outer[index].guide().is_none() => ContactPlace::Slide,
+            Contact::Pin { .. } | Contact::Guide(_) => ContactPlace::Outer(index),
         };
         let length = declared.length.as_ref().map(|b| kinematics.length(b, title).value);
         let by_couple = length.map_or(self.builder().zero(), |b| self.builder().integer(2) / b);
@@ -165,17 +165,17 @@ impl<'s> Walk<'_, 's> {
         let (back, mut along) = (-contact.way, zero);
         let direction = |index: usize| self.kinematics.link(group.links[index]).frame.direction.u;
         match (contact.contact, contact.place) {
-            (Contact::Pin { .. }, Place::Pin(index)) => {
+            (Contact::Pin { .. }, ContactPlace::Pin(index)) => {
                 (links[index].moment, links[1 - index].moment) = (back, contact.way);
             }
-            (Contact::Pin { .. }, Place::Outer(index)) => links[index].moment = back,
-            (Contact::Guide(_), Place::Outer(index)) => {
+            (Contact::Pin { .. }, ContactPlace::Outer(index)) => links[index].moment = back,
+            (Contact::Guide(_), ContactPlace::Outer(index)) => {
                 links[index].force = back * direction(index);
             }
             (Contact::Guide(_), _) => {
                 (links[0].force, along) = (back * direction(0), back);
             }
-            (Contact::Pin { .. }, Place::Slide) => unreachable!("a pin does not slide"),
+            (Contact::Pin { .. }, ContactPlace::Slide) => unreachable!("a pin does not slide"),
         }
         Loads { links, pin: nothing, along }
     }
@@ -202,9 +202,9 @@ impl<'s> Walk<'_, 's> {
             Reaction::Guide(guide) => [guide.normal, contact.by_couple * guide.couple],
         };
         let of = |contact: &Rubbing<'s>| match contact.place {
-            Place::Outer(index) => components(contact, &outer[index]),
-            Place::Pin(index) => components(contact, &Reaction::Force(by_pin[index])),
-            Place::Slide => {
+            ContactPlace::Outer(index) => components(contact, &outer[index]),
+            ContactPlace::Pin(index) => components(contact, &Reaction::Force(by_pin[index])),
+            ContactPlace::Slide => {
                 let reaction = slide.expect("its first link slides in the second");
                 components(contact, &Reaction::Guide(reaction))
             }

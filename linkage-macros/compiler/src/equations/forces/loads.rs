@@ -9,8 +9,8 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Frame, PointMotion};
 use crate::equations::reactions::Acting;
 use crate::equations::symbol::{Sym, Vector};
-use crate::model::dynamics::{Axes, Force, MassPlace};
-use crate::model::mechanism::{Body, Carrier, Expr, LinkId, Mechanism, PointId};
+use crate::model::acting::{Axes, Force, MassPlace};
+use crate::model::mechanism::{Body, Carrier, LinkId, Mechanism, PointId, Scalar};
 
 /// The masses of a link that are fixed in it, summed up: Σm, Σm x, Σm y, Σ(J + m r²) about its origin.
 #[derive(Clone, Copy)]
@@ -33,7 +33,7 @@ pub(super) struct Moving<'s> {
 
 pub(super) enum MovingPlace {
     Point(PointId),
-    At([Expr; 2]),
+    At([Scalar; 2]),
 }
 
 /// All masses, by what they belong to.
@@ -212,7 +212,7 @@ pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<
 /// The same with these numbers for their values.
 pub(super) fn declared_by<'s>(
     kinematics: &Kinematics<'s>,
-    number: &dyn Fn(&Expr) -> Sym<'s>,
+    number: &dyn Fn(&Scalar) -> Sym<'s>,
 ) -> Vec<(PointId, Vector<'s>)> {
     let forces = kinematics.mechanism.dynamics.forces.iter().enumerate();
     let forces = forces.flat_map(|(index, force)| match force {
@@ -247,7 +247,7 @@ pub(super) fn torques<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)
 /// The couples of the statements `torque` alone, with these numbers for their values.
 pub(super) fn torques_by<'s>(
     mechanism: &Mechanism,
-    number: &dyn Fn(&Expr) -> Sym<'s>,
+    number: &dyn Fn(&Scalar) -> Sym<'s>,
 ) -> Vec<(Carrier, Sym<'s>)> {
     let torques = mechanism.dynamics.torques.iter().flat_map(|torque| {
         let value = number(&torque.value);

@@ -60,7 +60,7 @@ use std::collections::HashMap;
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Id;
-use crate::model::dynamics::Effort;
+use crate::model::acting::Effort;
 use crate::model::mechanism::PointId;
 
 pub(super) use dynamics::{equations, every_input_moves_mass};

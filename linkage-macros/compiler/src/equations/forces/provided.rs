@@ -3,13 +3,13 @@
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
-use crate::model::dynamics::{Friction, Quantity};
+use crate::model::acting::{Friction, Magnitude};
 use crate::model::mechanism::PointId;
 
 /// A mass that a parameter makes is asked for its sign where it is used.
 pub(super) fn not_negative<'s>(
     kinematics: &Kinematics<'s>,
-    quantity: &Quantity,
+    quantity: &Magnitude,
     group: u32,
 ) -> Sym<'s> {
     let value = kinematics.jet(&quantity.value).value;

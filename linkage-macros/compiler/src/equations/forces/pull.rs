@@ -20,7 +20,7 @@ use crate::equations::forces::walk::Walk;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
-use crate::model::mechanism::{Expr, Mechanism, Operator};
+use crate::model::mechanism::{Mechanism, Operator, Scalar};
 
 /// The same state under the load that drives; none where no load drives.
 pub(super) fn driven<'s>(kinematics: &Kinematics<'s>) -> Option<Kinematics<'s>> {
@@ -43,7 +43,7 @@ pub(super) fn provided<'s>(mechanism: &Mechanism, work: Sym<'s>) -> Sym<'s> {
 /// Puts a unit of the load on a walk.
 pub(super) fn put_unit_on<'s>(walk: &mut Walk<'_, 's>) {
     let slopes = Slopes::of(walk.kinematics);
-    let slope = |value: &Expr| slopes.slope(value);
+    let slope = |value: &Scalar| slopes.slope(value);
     for (point, force) in declared_by(walk.kinematics, &slope) {
         walk.push(point, force);
     }
@@ -61,7 +61,7 @@ pub(super) fn under<'s>(kinematics: &Kinematics<'s>, pull: Sym<'s>) -> Kinematic
 /// The power of a unit of the load, at the unit rate.
 fn power_of_pull<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'s>) -> Sym<'s> {
     let slopes = Slopes::of(kinematics);
-    let slope = |value: &Expr| slopes.slope(value);
+    let slope = |value: &Scalar| slopes.slope(value);
     let mut power = kinematics.builder.zero();
     for (point, force) in declared_by(kinematics, &slope) {
         power = power + force.dot(unit.point(point).velocity);
@@ -89,19 +89,19 @@ impl<'k, 's> Slopes<'k, 's> {
         slopes
     }
 
-    fn slope(&self, expr: &Expr) -> Sym<'s> {
+    fn slope(&self, expr: &Scalar) -> Sym<'s> {
         match expr {
-            Expr::Pull => self.kinematics.builder.integer(1),
-            Expr::Law(law) => self.laws[law.index()],
-            Expr::Negate(value) => -self.slope(value),
-            Expr::Chain(first, rest) => self.slope_of_chain(first, rest),
+            Scalar::Pull => self.kinematics.builder.integer(1),
+            Scalar::Law(law) => self.laws[law.index()],
+            Scalar::Negate(value) => -self.slope(value),
+            Scalar::Chain(first, rest) => self.slope_of_chain(first, rest),
             // A function of the load stands in outputs alone.
             _ => self.kinematics.builder.zero(),
         }
     }
 
-    fn slope_of_chain(&self, first: &Expr, rest: &[(Operator, Expr)]) -> Sym<'s> {
-        let value = |expr: &Expr| self.kinematics.jet(expr).value;
+    fn slope_of_chain(&self, first: &Scalar, rest: &[(Operator, Scalar)]) -> Sym<'s> {
+        let value = |expr: &Scalar| self.kinematics.jet(expr).value;
         let (mut left, mut slope) = (value(first), self.slope(first));
         for (operator, operand) in rest {
             let (right, by) = (value(operand), self.slope(operand));

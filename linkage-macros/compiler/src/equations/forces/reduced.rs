@@ -25,7 +25,7 @@ pub(super) struct Reduced<'s> {
     /// Inertia that turns with each link: J_O, and m ρ² of the masses that swing on it.
     turning: Vec<(LinkId, Sym<'s>)>,
     /// Mass that moves with each point.
-    moving: Vec<(Place, Sym<'s>)>,
+    moving: Vec<(CarriedPoint, Sym<'s>)>,
     /// Masses on pins, for their weight.
     points: Vec<(PointId, Sym<'s>)>,
     /// Masses fixed in links, for their centres.
@@ -35,12 +35,12 @@ pub(super) struct Reduced<'s> {
 }
 
 #[derive(Clone, Copy)]
-enum Place {
+enum CarriedPoint {
     Point(PointId),
     Origin(LinkId),
 }
 
-impl Place {
+impl CarriedPoint {
     fn motion<'s>(self, state: &Kinematics<'s>) -> PointMotion<'s> {
         match self {
             Self::Point(point) => state.point(point),
@@ -61,7 +61,7 @@ impl<'s> Reduced<'s> {
         for &(point, mass) in &masses.points {
             match pivots.swing(state, point) {
                 Some((link, square)) => turn(link, mass * square),
-                None => moving.push((Place::Point(point), mass)),
+                None => moving.push((CarriedPoint::Point(point), mass)),
             }
         }
         let links = masses.by_link();
@@ -69,7 +69,7 @@ impl<'s> Reduced<'s> {
             turn(link, inertia.second);
             match pivots.origins.get(&link).and_then(|&origin| pivots.swing(state, origin)) {
                 Some((carrier, square)) => turn(carrier, inertia.mass * square),
-                None => moving.push((Place::Origin(link), inertia.mass)),
+                None => moving.push((CarriedPoint::Origin(link), inertia.mass)),
             }
         }
         let mut turning: Vec<_> = turning.into_iter().collect();

@@ -24,7 +24,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::function::Function;
-use crate::model::dynamics::{Ends, Spring};
+use crate::model::acting::{Ends, Spring};
 use crate::model::mechanism::{AngleSum, Carrier, LinkId, PointId, SpringId};
 
 /// Stiffness, damping, and the length or angle at which it is slack.

@@ -23,7 +23,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
-use crate::model::dynamics::{Stop, Stopped};
+use crate::model::acting::{Stop, Stopped};
 use crate::model::mechanism::{Carrier, LinkId, PointId};
 
 /// The name in errors of what lies between the ends, which is not negative.

@@ -11,7 +11,7 @@ use crate::equations::functions::slopes;
 use crate::equations::symbol::{Sym, Vector};
 use crate::function::Function;
 use crate::model::mechanism::{
-    AngleSum, Axis, Carrier, Expr, GuideId, Operator, Placement, PointId,
+    AngleSum, Axis, Carrier, GuideId, Operator, Placement, PointId, Scalar,
 };
 
 impl<'s> Walk<'_, 's> {
@@ -26,19 +26,19 @@ impl<'s> Walk<'_, 's> {
     }
 
     /// A dimension driven with an effort.
-    pub(super) fn transmit(&mut self, expr: &Expr, effort: Sym<'s>) {
+    pub(super) fn transmit(&mut self, expr: &Scalar, effort: Sym<'s>) {
         if effort.is_zero() || !self.kinematics.mechanism.moves(expr) {
             return;
         }
         match expr {
-            Expr::Constant(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => {}
-            Expr::Input(input) => self.add_effort(*input, effort),
-            Expr::Let(id) => {
+            Scalar::Constant(_) | Scalar::Param(_) | Scalar::Load(_) | Scalar::Pull => {}
+            Scalar::Input(input) => self.add_effort(*input, effort),
+            Scalar::Let(id) => {
                 let mechanism = self.kinematics.mechanism;
                 self.transmit(&mechanism.lets[id.index()].rest, effort);
             }
-            Expr::Slide(link) => self.push_slide(*link, -effort),
-            Expr::Coordinate(point, axis) => {
+            Scalar::Slide(link) => self.push_slide(*link, -effort),
+            Scalar::Coordinate(point, axis) => {
                 let zero = self.builder().zero();
                 let force = match axis {
                     Axis::X => Vector { x: -effort, y: zero },
@@ -46,21 +46,21 @@ impl<'s> Walk<'_, 's> {
                 };
                 self.push_against_ground(*point, force);
             }
-            Expr::Distance([p, q]) => {
+            Scalar::Distance([p, q]) => {
                 let line = self.kinematics.point(*p).to(self.kinematics.point(*q));
                 let force = (effort / line.x.hypot(line.y)) * line;
                 self.push(*p, force);
                 self.push(*q, -force);
             }
-            Expr::Offset(point, guide) => self.press(*point, *guide, effort),
-            Expr::Unknown(unknown) => self.add_sought(*unknown, effort),
-            Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => {
+            Scalar::Offset(point, guide) => self.press(*point, *guide, effort),
+            Scalar::Unknown(unknown) => self.add_sought(*unknown, effort),
+            Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => {
                 unreachable!("none of these is part of a dimension")
             }
-            Expr::Negate(value) => self.transmit(value, -effort),
-            Expr::AboveZero(inner) => self.transmit(&inner.value, effort),
-            Expr::Chain(first, rest) => self.transmit_chain(first, rest, effort),
-            Expr::Call(function, arguments) => self.transmit_call(*function, arguments, effort),
+            Scalar::Negate(value) => self.transmit(value, -effort),
+            Scalar::AboveZero(inner) => self.transmit(&inner.value, effort),
+            Scalar::Chain(first, rest) => self.transmit_chain(first, rest, effort),
+            Scalar::Call(function, arguments) => self.transmit_call(*function, arguments, effort),
         }
     }
 
@@ -75,8 +75,8 @@ impl<'s> Walk<'_, 's> {
     }
 
     /// One operation after the other, from the last back to the first.
-    fn transmit_chain(&mut self, first: &Expr, rest: &[(Operator, Expr)], effort: Sym<'s>) {
-        let value = |expr: &Expr| self.kinematics.jet(expr).value;
+    fn transmit_chain(&mut self, first: &Scalar, rest: &[(Operator, Scalar)], effort: Sym<'s>) {
+        let value = |expr: &Scalar| self.kinematics.jet(expr).value;
         let mut left = vec![value(first)];
         for (operator, operand) in rest {
             let (a, b) = (left[left.len() - 1], value(operand));
@@ -102,7 +102,7 @@ impl<'s> Walk<'_, 's> {
         self.transmit(first, effort);
     }
 
-    fn transmit_call(&mut self, function: Function, arguments: &[Expr], effort: Sym<'s>) {
+    fn transmit_call(&mut self, function: Function, arguments: &[Scalar], effort: Sym<'s>) {
         let values: Vec<_> = arguments.iter().map(|a| self.kinematics.jet(a).value).collect();
         for (argument, slope) in arguments.iter().zip(slopes(function, &values)) {
             self.transmit(argument, effort * slope);
@@ -136,7 +136,7 @@ impl<'s> Walk<'_, 's> {
                 {
                     return;
                 }
-                let value = |expr: &Expr| self.kinematics.jet(expr).value;
+                let value = |expr: &Scalar| self.kinematics.jet(expr).value;
                 let (r1, r2, l) = (value(first), value(second), value(length));
                 let on_x = along - across * x / y;
                 self.transmit(first, (on_x * r1) / l + across * r1 / y);

@@ -14,7 +14,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
 use crate::equations::reactions::{Acting, GuideReaction};
 use crate::equations::symbol::{GraphBuilder, Sym, Vector};
-use crate::model::dynamics::Effort;
+use crate::model::acting::Effort;
 use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, PointId, UnknownId};
 
 /// Loads gathered on the way, and efforts found so far.

@@ -2,7 +2,7 @@
 //! to be x.
 
 use crate::equations;
-use crate::ir::interpret::{Given, interpret};
+use crate::ir::interpret::{ProgramValues, interpret};
 use crate::oracle::mechanism;
 use crate::passes;
 
@@ -17,7 +17,7 @@ fn ends_and_root_of_an_equation_are_as_far_as_by_hand() {
     let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
     let (x, rate) = (1.1, 0.4);
     let (params, loads, drives) = (Vec::new(), Vec::new(), Vec::new());
-    let given = Given { inputs: vec![[x, rate, 0.0]], params, loads, drives, unit: None };
+    let given = ProgramValues { inputs: vec![[x, rate, 0.0]], params, loads, drives, unit: None };
     let values = interpret(&program, &given);
     let (from, to) = (0.2_f64, 1.2_f64);
     // Left and right, and the change over a quarter of the interval by slope and curvature.
@@ -59,7 +59,7 @@ fn a_bar_is_as_clear_of_its_guide_as_by_hand() {
     let (x, y, l, e) = (0.7, -1.1, 3.0, 0.5);
     let (params, loads, drives) = (Vec::new(), Vec::new(), Vec::new());
     let inputs: Vec<[f64; 3]> = vec![[x, 0.0, 0.0], [y, 0.0, 0.0]];
-    let values = interpret(&program, &Given { inputs, params, loads, drives, unit: None });
+    let values = interpret(&program, &ProgramValues { inputs, params, loads, drives, unit: None });
     let [clearance] = &program.clearances[..] else { panic!("one group has a mode") };
     let found = [clearance.value, clearance.scale].map(|id| values[id.index()]);
     let expected = [l * l - (e - y) * (e - y), l * l + e * e + x * x + y * y];

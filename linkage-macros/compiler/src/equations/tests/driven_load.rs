@@ -1,7 +1,7 @@
 //! Mechanisms of which a load drives an input, against the same under the load that was found: nothing is left for a drive.
 
 use crate::equations::derive;
-use crate::ir::interpret::{Given, Number};
+use crate::ir::interpret::{Number, ProgramValues};
 use crate::oracle::{Digits, mechanism, values};
 use crate::passes;
 
@@ -66,7 +66,7 @@ impl Machine {
             (true, Some(_)) => Digits::float(0.0),
             (false, _) => Digits::float(-6.0),
         };
-        let given = Given {
+        let given = ProgramValues {
             inputs: state.iter().map(|one| one.map(Digits::float)).collect(),
             params: Vec::new(),
             loads: [Digits::float(11.0)].into_iter().chain(given.cloned()).collect(),

@@ -15,7 +15,7 @@ use crate::equations::tests::newton_euler::Motion;
 use crate::exact::Exact;
 use crate::interface::entries::Analysis;
 use crate::ir::graph::{Check, Id, Node};
-use crate::ir::interpret::{Given, Number, interpret};
+use crate::ir::interpret::{Number, ProgramValues, interpret};
 use crate::ir::program::{EntryOutputs, Program};
 use crate::model::mechanism::Mechanism;
 use crate::oracle::{Digits, mechanism};
@@ -111,7 +111,7 @@ impl<'m, N: Number> State<'m, N> {
         let inputs =
             inputs.map(|(([q, ..], rate), second)| [q.clone(), rate.clone(), second.clone()]);
         let load = N::exact(&Exact::float(1.75).expect("finite"));
-        let given = Given {
+        let given = ProgramValues {
             inputs: inputs.collect(),
             params: self.params.clone(),
             loads: vec![load; self.mechanism.dynamics.loads.len()],
@@ -261,7 +261,8 @@ fn the_spread_of_a_pivot_is_as_by_hand() {
     for b in [0.0, 0.4, 2.5] {
         let (drives, cos) = (vec![1.0; 3], f64::cos(b));
         let inputs = vec![[0.3, 0.0, 0.0], [b, 0.0, 0.0], [0.0; 3]];
-        let given = Given { inputs, params: Vec::new(), loads: Vec::new(), drives, unit: None };
+        let given =
+            ProgramValues { inputs, params: Vec::new(), loads: Vec::new(), drives, unit: None };
         let values = interpret(&program, &given);
         let pivots = program.graph.iter().filter_map(|(_, node)| {
             let Node::Guard(pivot, guard) = node else { return None };

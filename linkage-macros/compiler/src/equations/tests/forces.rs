@@ -13,11 +13,11 @@ use crate::equations::tests::newton_euler::{Matrix, Motion};
 use crate::exact::Exact;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id};
-use crate::ir::interpret::{Given, Number, interpret};
+use crate::ir::interpret::{Number, ProgramValues, interpret};
 use crate::ir::program::{EntryOutputs, Program};
-use crate::model::dynamics::{Effort, RequestedEffort};
+use crate::model::acting::{Effort, RequestedEffort};
 use crate::model::mechanism::{
-    Body, Carrier, Expr, GuideId, InputId, Link, LinkId, Mechanism, PointId,
+    Body, Carrier, GuideId, InputId, Link, LinkId, Mechanism, PointId, Scalar,
 };
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::passes;
@@ -170,8 +170,8 @@ fn nodes<'s>(kinematics: &Kinematics<'s>) -> Nodes {
 
 /// All that a dimension may read, as text, and its node.
 pub(super) fn readings(mechanism: &Mechanism, kinematics: &Kinematics<'_>) -> Vec<(String, Id)> {
-    let id = |expr: Expr| (format!("{expr:?}"), kinematics.jet(&expr).value.id);
-    let inputs = (0..mechanism.inputs.len() as u32).map(|input| Expr::Input(InputId(input)));
+    let id = |expr: Scalar| (format!("{expr:?}"), kinematics.jet(&expr).value.id);
+    let inputs = (0..mechanism.inputs.len() as u32).map(|input| Scalar::Input(InputId(input)));
     let mut readings: Vec<_> = inputs.map(id).collect();
     let mut leaves = Vec::new();
     leaves_of(mechanism, &mut leaves);
@@ -180,17 +180,17 @@ pub(super) fn readings(mechanism: &Mechanism, kinematics: &Kinematics<'_>) -> Ve
 }
 
 /// Every slide, coordinate and distance that may be read.
-fn leaves_of(mechanism: &Mechanism, leaves: &mut Vec<Expr>) {
+fn leaves_of(mechanism: &Mechanism, leaves: &mut Vec<Scalar>) {
     use crate::model::mechanism::{Axis, UnknownId};
     let links = mechanism.links.iter().enumerate().filter(|(_, link)| link.slides);
-    leaves.extend(links.map(|(index, _)| Expr::Slide(LinkId(index as u32))));
-    leaves.extend((0..mechanism.unknowns.len() as u32).map(|id| Expr::Unknown(UnknownId(id))));
+    leaves.extend(links.map(|(index, _)| Scalar::Slide(LinkId(index as u32))));
+    leaves.extend((0..mechanism.unknowns.len() as u32).map(|id| Scalar::Unknown(UnknownId(id))));
     let points: Vec<_> = (0..mechanism.points.len() as u32).map(PointId).collect();
     for &p in &points {
-        leaves.extend([Axis::X, Axis::Y].map(|axis| Expr::Coordinate(p, axis)));
-        leaves.extend(points.iter().filter(|&&q| q != p).map(|&q| Expr::Distance([p, q])));
+        leaves.extend([Axis::X, Axis::Y].map(|axis| Scalar::Coordinate(p, axis)));
+        leaves.extend(points.iter().filter(|&&q| q != p).map(|&q| Scalar::Distance([p, q])));
         let guides = (0..mechanism.guides.len() as u32).map(GuideId);
-        leaves.extend(guides.map(|guide| Expr::Offset(p, guide)));
+        leaves.extend(guides.map(|guide| Scalar::Offset(p, guide)));
     }
 }
 
@@ -229,12 +229,12 @@ pub(super) fn evaluated(
     mechanism: &Mechanism,
     graph: Graph,
     inputs: &[[f64; 3]],
-) -> (Given<Digits>, Vec<Digits>) {
+) -> (ProgramValues<Digits>, Vec<Digits>) {
     let groups = mechanism.titles();
     let answers =
         vec![EntryOutputs { entry: Some(EntryPoint::named("forces")), sinks: Vec::new() }];
     let program = Program { graph, answers, clearances: Vec::new(), closures: Vec::new(), groups };
-    let given = Given {
+    let given = ProgramValues {
         inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
         params: defaults(mechanism),
         loads: vec![Digits::float(1.75); mechanism.dynamics.loads.len()],
@@ -247,14 +247,14 @@ pub(super) fn evaluated(
 
 /// The value that a leaf of an expression has in a pose.
 pub(super) fn read(
-    expr: &Expr,
-    given: &Given<Digits>,
+    expr: &Scalar,
+    given: &ProgramValues<Digits>,
     readings: &[(String, Id)],
     values: &[Digits],
 ) -> Digits {
     match expr {
-        Expr::Param(id) => given.params[id.index()].clone(),
-        Expr::Load(id) => given.loads[id.index()].clone(),
+        Scalar::Param(id) => given.params[id.index()].clone(),
+        Scalar::Load(id) => given.loads[id.index()].clone(),
         leaf => {
             let text = format!("{leaf:?}");
             let found = readings.iter().find(|(known, _)| *known == text);
@@ -277,7 +277,7 @@ fn compare(
         nodes(&Kinematics::of(&builder, &mechanism, jets(&mechanism, &builder, inputs_rest)));
     let (given, values) = evaluated(&mechanism, builder.into_graph(), inputs);
     let motion = nodes.motion.values(&values);
-    let reading = |expr: &Expr| read(expr, &given, &nodes.readings, &values);
+    let reading = |expr: &Scalar| read(expr, &given, &nodes.readings, &values);
     let again = GraphBuilder::new(passes::RULES);
     let kinematics = Kinematics::of(&again, &mechanism, jets(&mechanism, &again, inputs_rest));
     let expected = match truths.contains(&Against::Matrix) {

@@ -15,9 +15,9 @@ use crate::equations::tests::forces::{evaluated, loaded, read, readings, with_ev
 use crate::equations::tests::newton_euler::{Matrix, Motion};
 use crate::exact::Exact;
 use crate::ir::graph::Id;
-use crate::ir::interpret::{Given, Number, jams};
-use crate::model::dynamics::{Contact, Effort, Friction};
-use crate::model::mechanism::{Body, Carrier, Drive, Expr, Mechanism, PointId};
+use crate::ir::interpret::{Number, ProgramValues, jams};
+use crate::model::acting::{Contact, Effort, Friction};
+use crate::model::mechanism::{Body, Carrier, Drive, Mechanism, PointId, Scalar};
 use crate::oracle::{Digits, mechanism};
 use crate::passes;
 
@@ -231,12 +231,12 @@ impl Compared<'_> {
         state: &Kinematics<'_>,
         mut motion: Motion<Digits>,
         brakings: &[Digits],
-        given: &Given<Digits>,
+        given: &ProgramValues<Digits>,
     ) -> Vec<(Effort, Vec<Digits>)> {
         for (friction, braking) in state.mechanism.dynamics.frictions.iter().zip(brakings) {
             motion.brake(state, friction.contact, braking);
         }
-        let reading = |expr: &Expr| read(expr, given, &nodes.readings, self.values);
+        let reading = |expr: &Scalar| read(expr, given, &nodes.readings, self.values);
         let expected = Matrix::solved(state, &motion, &reading);
         let scale = [1e-40, scale(&expected)];
         for (effort, numbers) in &expected {
@@ -250,9 +250,9 @@ impl Compared<'_> {
     }
 
     /// The spectral radius of L: what a unit of each friction adds to every reaction, by the full matrix.
-    fn radius(&self, nodes: &Nodes, state: &Kinematics<'_>, given: &Given<Digits>) -> f64 {
+    fn radius(&self, nodes: &Nodes, state: &Kinematics<'_>, given: &ProgramValues<Digits>) -> f64 {
         let frictions = &state.mechanism.dynamics.frictions;
-        let reading = |expr: &Expr| read(expr, given, &nodes.readings, self.values);
+        let reading = |expr: &Scalar| read(expr, given, &nodes.readings, self.values);
         let pressing = |braked: Option<&Friction>| -> Vec<[Digits; 2]> {
             let mut motion = nodes.motion.values(self.values);
             if let Some(friction) = braked {
@@ -311,8 +311,8 @@ fn scale(expected: &[(Effort, Vec<Digits>)]) -> f64 {
 
 /// The amount that a reaction makes.
 fn share(friction: &Friction, [x, y]: [f64; 2]) -> f64 {
-    let number = |quantity: &Expr| match quantity {
-        Expr::Constant(constant) => constant.to_f64(),
+    let number = |quantity: &Scalar| match quantity {
+        Scalar::Constant(constant) => constant.to_f64(),
         _ => unreachable!("the tests write numbers"),
     };
     let coefficient = number(&friction.coefficient.value);

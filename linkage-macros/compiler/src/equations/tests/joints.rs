@@ -1,6 +1,6 @@
 //! Positions against the conditions that the joints of each group state.
 
-use crate::ir::interpret::{Given, Number};
+use crate::ir::interpret::{Number, ProgramValues};
 use crate::oracle::{Digits, defaults, mechanism, values};
 use crate::{equations, passes};
 
@@ -9,7 +9,7 @@ fn position(source: &str) -> Vec<Digits> {
     let mechanism = mechanism(source);
     let program = equations::derive(&mechanism, passes::RULES);
     let inputs = [0.7, 0.21].map(|q| [q, 0.0, 0.0].map(Digits::float)).to_vec();
-    let given = Given {
+    let given = ProgramValues {
         inputs,
         params: defaults(&mechanism),
         loads: Vec::new(),

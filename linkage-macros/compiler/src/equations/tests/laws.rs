@@ -1,7 +1,7 @@
 //! Named laws against the same forces with the laws written out, and outputs of efforts against the efforts.
 
 use crate::equations::derive;
-use crate::ir::interpret::Given;
+use crate::ir::interpret::ProgramValues;
 use crate::oracle::{Digits, mechanism, values};
 use crate::passes;
 
@@ -17,7 +17,7 @@ fn answers(statements: &str) -> Vec<(&'static str, Vec<f64>)> {
     );
     let program = passes::optimise(&derive(&mechanism(&source), passes::RULES));
     let number = Digits::float;
-    let given = Given {
+    let given = ProgramValues {
         inputs: vec![[0.7, 3.0, -2.0].map(number)],
         params: Vec::new(),
         loads: vec![number(11.0)],
@@ -65,7 +65,7 @@ fn found(source: &str, entry: &str) -> Vec<f64> {
     let mechanism = mechanism(source);
     let program = passes::optimise(&derive(&mechanism, passes::RULES));
     let state = [[0.7, 3.0, -2.0], [0.3, -1.5, 4.0]];
-    let given = Given {
+    let given = ProgramValues {
         inputs: state[..mechanism.inputs.len()].iter().map(|one| one.map(Digits::float)).collect(),
         params: Vec::new(),
         loads: vec![Digits::float(11.0)],

@@ -18,7 +18,7 @@ use crate::exact::Exact;
 use crate::ir::graph::Id;
 use crate::ir::interpret::Number;
 use crate::model::mechanism::{
-    Body, Carrier, Expr, GuideId, LinkId, Mechanism, PointId, Step, UnknownId,
+    Body, Carrier, GuideId, LinkId, Mechanism, PointId, Scalar, Step, UnknownId,
 };
 use crate::oracle::Digits;
 pub(super) use matrix::Matrix;
@@ -135,7 +135,7 @@ fn part(mechanism: &Mechanism, link: LinkId, moves: bool) -> Part {
     }
 }
 
-fn driven_length(mechanism: &Mechanism, link: LinkId) -> Option<&Expr> {
+fn driven_length(mechanism: &Mechanism, link: LinkId) -> Option<&Scalar> {
     let length = mechanism.group_steps().find_map(|group| {
         let place = group.links.iter().position(|own| *own == link)?;
         group.lengths[place].as_ref()
@@ -143,7 +143,7 @@ fn driven_length(mechanism: &Mechanism, link: LinkId) -> Option<&Expr> {
     length.map(|length| &length.value).filter(|length| mechanism.moves(length))
 }
 
-fn has_readings(mechanism: &Mechanism, length: &Expr) -> bool {
+fn has_readings(mechanism: &Mechanism, length: &Scalar) -> bool {
     let mut leaves = Vec::new();
     readings(mechanism, length, &mut leaves);
     !leaves.is_empty()
@@ -175,7 +175,7 @@ fn held_point(mechanism: &Mechanism, point: PointId) -> bool {
     })
 }
 
-fn is_moving(mechanism: &Mechanism, place: &[Expr; 2]) -> bool {
+fn is_moving(mechanism: &Mechanism, place: &[Scalar; 2]) -> bool {
     place.iter().any(|coordinate| mechanism.moves(coordinate))
 }
 

@@ -2,7 +2,7 @@
 
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::interface::quantity::{Order, Quantity};
-use crate::ir::interpret::{Given, Number};
+use crate::ir::interpret::{Number, ProgramValues};
 use crate::model::mechanism::Mechanism;
 use crate::oracle::{Digits, defaults, derivatives, mechanism, values};
 use crate::{equations, passes};
@@ -33,7 +33,7 @@ fn velocities_and_accelerations_are_derivatives_of_the_position() {
     for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);
         let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
-        let given = |t: &Digits| Given {
+        let given = |t: &Digits| ProgramValues {
             inputs: variant
                 .inputs
                 .iter()
@@ -77,7 +77,7 @@ fn coefficients_are_the_velocities_at_unit_rates() {
     for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);
         let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
-        let given = |rates: &[f64]| Given {
+        let given = |rates: &[f64]| ProgramValues {
             inputs: variant
                 .inputs
                 .iter()

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::chain::machine::{Driven, Driving, GROUND, Machine, Slide};
 use crate::chain::plane::Complex;
 use crate::chain::redrawn::Displacement;
-use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, Place};
+use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, PointPlace};
 
 use super::figures::{Figure, Pen};
 use super::frames::{DrawnFrame, DrawnLine};
@@ -15,7 +15,7 @@ pub(super) struct PinPlace<'t> {
     pub name: Ident,
     pub at: [Figure; 2],
     /// Where it is declared on a link: the place, which the link's frame gives.
-    pub on: Option<(usize, &'t Place)>,
+    pub on: Option<(usize, &'t PointPlace)>,
 }
 
 /// A link of the drawing.

@@ -3,7 +3,7 @@
 
 use proc_macro2::Ident;
 
-use crate::model::dynamics::{Effort, RequestedEffort};
+use crate::model::acting::{Effort, RequestedEffort};
 use crate::syntax::tree::{ExprKind, Statement, StatementKind};
 
 /// A joint of a link at which a block stands in for it.

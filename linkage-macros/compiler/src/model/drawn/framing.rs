@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::chain::plane::root;
-use crate::syntax::tree::{Course, ExprKind, Place, Spot, StatementKind};
+use crate::syntax::tree::{Course, ExprKind, PointPlace, Spot, StatementKind};
 
 use super::figures::Figure;
 use super::frames::{DrawnFrame, DrawnLine, Heading, Origin};
@@ -87,12 +87,12 @@ fn point_of_link(
     let frame = frames[body].clone()?;
     let pen = reader.values.pen.at(reader.pins[pin].name.span());
     let local = match place {
-        Place::Cartesian([x, y]) => [reader.values.length(x)?, reader.values.length(y)?],
-        Place::Polar([radius, angle]) => {
+        PointPlace::Cartesian([x, y]) => [reader.values.length(x)?, reader.values.length(y)?],
+        PointPlace::Polar([radius, angle]) => {
             let (radius, angle) = (reader.values.length(radius)?, reader.values.angle(angle)?);
             [pen.mul(&radius, &pen.cos(&angle)), pen.mul(&radius, &pen.sin(&angle))]
         }
-        Place::Distances([first, second], side) => {
+        PointPlace::Distances([first, second], side) => {
             let [a, b] = [reader.values.length(first)?.value, reader.values.length(second)?.value];
             let long = match &reader.links[body - 1].length {
                 Some((_, Some(length))) => length.value,
@@ -103,7 +103,7 @@ fn point_of_link(
             let y = root(((a - x) * (a + x)).max(0.0));
             [x, if side == "left" { y } else { -y }].map(|value| pen.drawn(value))
         }
-        Place::Mistake => return None,
+        PointPlace::Mistake => return None,
     };
     Some(frame.placed(&pen, &local))
 }

@@ -2,18 +2,19 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{Field, FieldValue, Group, Leg};
+use crate::syntax::tree::{GroupField, GroupFieldValue, GroupStatement, Leg};
 
 /// The statement of a group.
 pub(super) fn group_of(
     keyword: &str,
     legs: Vec<(Ident, Ident)>,
     pin: Option<Ident>,
-    fields: Vec<(&str, FieldValue)>,
-) -> Group {
+    fields: Vec<(&str, GroupFieldValue)>,
+) -> GroupStatement {
     let span = legs[0].0.span();
-    let field = |(name, value): (&str, FieldValue)| Field { name: Ident::new(name, span), value };
-    Group {
+    let field =
+        |(name, value): (&str, GroupFieldValue)| GroupField { name: Ident::new(name, span), value };
+    GroupStatement {
         keyword: Ident::new(keyword, span),
         legs: legs.into_iter().map(|(link, joint)| Leg { link, joint: Some(joint) }).collect(),
         pin,

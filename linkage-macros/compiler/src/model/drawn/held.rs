@@ -7,7 +7,7 @@ use quote::format_ident;
 use crate::chain::cutting::DyadLeg;
 use crate::chain::machine::Held;
 use crate::model::names::Names;
-use crate::syntax::tree::{Expr, ExprKind, Place, StatementKind};
+use crate::syntax::tree::{Expr, ExprKind, PointPlace, StatementKind};
 
 use super::bars::{DrawnBar, HeldBar};
 use super::figures::{Figure, sum};
@@ -86,7 +86,7 @@ impl Writer<'_, '_> {
         let kind = StatementKind::Point {
             name: joint.clone(),
             on: Some(name),
-            place: Place::Cartesian(place),
+            place: PointPlace::Cartesian(place),
         };
         self.made[pivot] = true;
         self.put(behind, kind);

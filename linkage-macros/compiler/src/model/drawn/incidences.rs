@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::chain::machine::{Driven, Driving, Footing, GROUND, Machine, RigidBody, Slide};
 use crate::chain::plane::Complex;
 use crate::model::references::{names_in, names_used};
-use crate::syntax::tree::{DriveStatement, Expr, Group, Statement, StatementKind};
+use crate::syntax::tree::{DriveStatement, Expr, GroupStatement, Statement, StatementKind};
 
 use super::bodies::{Bodies, GuideLine};
 use super::figures::Figure;
@@ -155,7 +155,7 @@ impl<'t> Reader<'t, '_, '_> {
     /// The bodies and pins that a declared group stands on.
     fn needs(&self, statement: &Statement) -> Footing {
         let own = |name: &Ident| match &statement.kind {
-            StatementKind::Group(Group { legs, pin, .. }) => {
+            StatementKind::Group(GroupStatement { legs, pin, .. }) => {
                 legs.iter().any(|leg| leg.link == *name) || pin.as_ref() == Some(name)
             }
             _ => false,

@@ -6,10 +6,10 @@ use crate::chain::Trouble;
 use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::{GROUND, Machine};
 use crate::diagnostics::Diagnostics;
-use crate::model::dynamics::RequestedEffort;
+use crate::model::acting::RequestedEffort;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
-use crate::syntax::tree::{Action, Declaration, MassSite, Place, StatementKind};
+use crate::syntax::tree::{Action, Declaration, MassSite, PointPlace, StatementKind};
 
 use super::TurnedFrame;
 use super::bodies::Bodies;
@@ -289,7 +289,7 @@ pub(super) fn report_turned(
             StatementKind::Action(Action::Spring { ends, .. }) => {
                 (ends.iter().find(|end| of(end).is_some()), "a torsion spring turns against")
             }
-            StatementKind::Point { on: Some(on), place: Place::Distances(..), .. } => {
+            StatementKind::Point { on: Some(on), place: PointPlace::Distances(..), .. } => {
                 (Some(on).filter(|on| elsewhere(on).is_some()), "distances are measured in")
             }
             StatementKind::Action(Action::Mass { on, place: MassSite::Uniform(_), .. }) => {

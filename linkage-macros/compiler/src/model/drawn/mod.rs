@@ -6,6 +6,7 @@
 //! language, [`rewritten`] what else names a link, and [`sorted`] puts all of them in solving order. What
 //! comes out is resolved like any declaration, so that there is one meaning of everything.
 
+mod as_unknown;
 mod bars;
 mod bodies;
 mod ends;
@@ -24,7 +25,6 @@ pub(super) mod printed;
 mod rails;
 mod reader;
 mod rewritten;
-mod searches;
 mod sorted;
 mod values;
 mod writer;

@@ -2,18 +2,20 @@
 
 use crate::chain::machine::{Driven, GROUND, InputRates};
 use crate::chain::plane::Complex;
-use crate::syntax::tree::{DriveStatement, Expr, FieldValue, Group, Place, StatementKind};
+use crate::syntax::tree::{
+    DriveStatement, Expr, GroupFieldValue, GroupStatement, PointPlace, StatementKind,
+};
 
 use super::bodies::{Bodies, LinkOutline};
 use super::values::Measured;
 
 /// The angle of a crank that is declared by hand and turns against the ground.
-fn turned_by(group: &Group) -> Option<&Expr> {
+fn turned_by(group: &GroupStatement) -> Option<&Expr> {
     let field = |name: &str| {
         let found = group.fields.iter().find(|field| field.name == name)?;
         match &found.value {
-            FieldValue::One(value) => Some(value),
-            FieldValue::Pair(_) => None,
+            GroupFieldValue::One(value) => Some(value),
+            GroupFieldValue::Pair(_) => None,
         }
     };
     field("angle").filter(|_| group.keyword == "crank" && field("relative_to").is_none())
@@ -63,7 +65,7 @@ impl Measured<'_> {
                         turn = self.rate(bodies, angle, (drawn, input), &[]);
                     }
                 }
-                StatementKind::Point { on: None, place: Place::Cartesian(at), .. } => {
+                StatementKind::Point { on: None, place: PointPlace::Cartesian(at), .. } => {
                     shift = [0, 1].map(|i| self.rate(bodies, &at[i], (drawn, input), &[]));
                 }
                 _ => {}

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Expr, Place, StatementKind};
+use crate::syntax::tree::{Expr, PointPlace, StatementKind};
 
 use super::bodies::{Bodies, PinPlace};
 use super::figures::Figure;
@@ -26,7 +26,9 @@ pub(super) fn report_places_of_unplaced(
         };
         let link = bodies.link(*body);
         let instead = match place {
-            Place::Distances(..) => format!("write `point {name} on {} at (x, y);`", link.name),
+            PointPlace::Distances(..) => {
+                format!("write `point {name} on {} at (x, y);`", link.name)
+            }
             _ => format!("draw it, `pin {name}(x, y);`, and name it in `link {}`", link.name),
         };
         let message = format!("`{}` is placed from `{name}`; {instead}", link.name);
@@ -65,7 +67,7 @@ impl Writer<'_, '_> {
             if std::mem::replace(&mut self.made[pin], true) {
                 let place = &bodies.pins[pin];
                 self.replaced.push(place.name.clone());
-                let is_at_distances = matches!(place.on, Some((_, Place::Distances(..))));
+                let is_at_distances = matches!(place.on, Some((_, PointPlace::Distances(..))));
                 if is_at_distances || ends.is_some_and(|[_, far]| frame.stands_on(far)) {
                     self.misplaced.push(place.name.clone());
                 }
@@ -86,7 +88,7 @@ impl Writer<'_, '_> {
                     .local(&self.pen.at(name.span()), self.place(pin))
                     .map(|number| number.text),
             };
-            let (on, place) = (Some(link.name.clone()), Place::Cartesian(place));
+            let (on, place) = (Some(link.name.clone()), PointPlace::Cartesian(place));
             let kind = StatementKind::Point { name, on, place };
             self.put(link.statement, kind);
         }

@@ -4,8 +4,8 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Action, FrictionSite, FrictionStatement, MassSite, StopStatement};
 use crate::syntax::tree::{
-    BinaryOp, Course, Declaration, Expr, ExprKind, FieldValue, Group, Place, Spot, Statement,
-    StatementKind,
+    BinaryOp, Course, Declaration, Expr, ExprKind, GroupFieldValue, GroupStatement, PointPlace,
+    Spot, Statement, StatementKind,
 };
 
 use super::writer::Translated;
@@ -125,16 +125,18 @@ fn line(through: &Spot, course: &Course) -> String {
     }
 }
 
-fn spot(place: &Place) -> String {
+fn spot(place: &PointPlace) -> String {
     match place {
-        Place::Cartesian(place) => format!("at {}", pair(place)),
-        Place::Polar(place) => format!("at polar {}", pair(place)),
-        Place::Distances(distances, side) => format!("at distances {} {side}", pair(distances)),
-        Place::Mistake => String::new(),
+        PointPlace::Cartesian(place) => format!("at {}", pair(place)),
+        PointPlace::Polar(place) => format!("at polar {}", pair(place)),
+        PointPlace::Distances(distances, side) => {
+            format!("at distances {} {side}", pair(distances))
+        }
+        PointPlace::Mistake => String::new(),
     }
 }
 
-fn written_group(group: &Group) -> String {
+fn written_group(group: &GroupStatement) -> String {
     let leg = |leg: &crate::syntax::tree::Leg| match &leg.joint {
         Some(joint) => format!("{}({joint})", leg.link),
         None => leg.link.to_string(),
@@ -144,10 +146,10 @@ fn written_group(group: &Group) -> String {
     format!("{} {}{pin} {}", group.keyword, legs.join(", "), braces(group))
 }
 
-fn braces(group: &Group) -> String {
+fn braces(group: &GroupStatement) -> String {
     let fields = group.fields.iter().map(|field| match &field.value {
-        FieldValue::One(value) => format!("{}: {}", field.name, text(value)),
-        FieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
+        GroupFieldValue::One(value) => format!("{}: {}", field.name, text(value)),
+        GroupFieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
     });
     match fields.collect::<Vec<_>>() {
         fields if fields.is_empty() => "{ }".to_string(),

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use quote::format_ident;
 
 use crate::chain::machine::GROUND;
-use crate::syntax::tree::{BinaryOp, Course, Expr, ExprKind, FieldValue, Spot, StatementKind};
+use crate::syntax::tree::{BinaryOp, Course, Expr, ExprKind, GroupFieldValue, Spot, StatementKind};
 
 use super::figures::Figure;
 use super::frames::DrawnFrame;
@@ -63,7 +63,7 @@ impl Writer<'_, '_> {
     pub(super) fn slider(&mut self, drive: Option<usize>, body: usize, slide: usize) {
         let guide = self.guide_of(slide);
         let pin = self.bodies.link(body).pins.first().copied();
-        let value = FieldValue::One(self.slide(drive, body, slide));
+        let value = GroupFieldValue::One(self.slide(drive, body, slide));
         let mut fields = vec![("slide", value)];
         fields.extend(pin.and_then(|pin| given(self.offset(guide, pin))));
         let rail = self.rail(slide, body);

@@ -8,7 +8,7 @@ use crate::chain::machine::GROUND;
 use crate::diagnostics::nearest;
 use crate::model::names::{Kind, Names, declared_by};
 use crate::syntax::tree::{
-    Course, Declaration, DrawnLink, DriveStatement, Expr, FieldValue, Statement, StatementKind,
+    Course, Declaration, DrawnLink, DriveStatement, Expr, GroupFieldValue, Statement, StatementKind,
 };
 
 use super::bodies::{GuideLine, LinkOutline, PinPlace};
@@ -203,8 +203,8 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             return None;
         }
         match &field.value {
-            FieldValue::One(value) => Some((value, self.values.length(value))),
-            FieldValue::Pair(_) => {
+            GroupFieldValue::One(value) => Some((value, self.values.length(value))),
+            GroupFieldValue::Pair(_) => {
                 self.report(
                     &field.name,
                     "a link has one length".to_string(),

@@ -9,7 +9,8 @@ use crate::chain::machine::GROUND;
 use crate::exact::Exact;
 use crate::syntax::tree::{Action, MassSite};
 use crate::syntax::tree::{
-    Course, Expr, ExprKind, FieldValue, OutputItem, Place, Solve, Spot, Statement, StatementKind,
+    Course, Expr, ExprKind, GroupFieldValue, OutputItem, PointPlace, Solve, Spot, Statement,
+    StatementKind,
 };
 
 use super::TurnedFrame;
@@ -178,9 +179,9 @@ impl Turns {
         Statement { docs: statement.docs.clone(), kind }
     }
 
-    fn group(&self, group: &mut crate::syntax::tree::Group) {
+    fn group(&self, group: &mut crate::syntax::tree::GroupStatement) {
         let reference = group.fields.iter().find_map(|field| match &field.value {
-            FieldValue::One(Expr { kind: ExprKind::Name(name), .. })
+            GroupFieldValue::One(Expr { kind: ExprKind::Name(name), .. })
                 if field.name == "relative_to" =>
             {
                 Some(name.clone())
@@ -189,13 +190,13 @@ impl Turns {
         });
         for field in &mut group.fields {
             field.value = match &field.value {
-                FieldValue::One(value) => FieldValue::One(match &reference {
+                GroupFieldValue::One(value) => GroupFieldValue::One(match &reference {
                     Some(reference) if field.name == "angle" => {
                         self.added(reference, self.expr(value))
                     }
                     _ => self.expr(value),
                 }),
-                FieldValue::Pair(values) => FieldValue::Pair(self.pair(values)),
+                GroupFieldValue::Pair(values) => GroupFieldValue::Pair(self.pair(values)),
             };
         }
     }
@@ -233,31 +234,31 @@ impl Turns {
         StatementKind::Guide { name: name.clone(), on: on.cloned(), through: spot, course }
     }
 
-    fn point(&self, on: Option<&Ident>, place: &Place) -> Place {
+    fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
         let Some((on, turn)) = on.and_then(|on| Some((on, self.of(on)?))) else {
             return match place {
-                Place::Cartesian(place) => Place::Cartesian(self.pair(place)),
-                Place::Polar(place) => Place::Polar(self.pair(place)),
-                Place::Distances(distances, side) => {
-                    Place::Distances(self.pair(distances), side.clone())
+                PointPlace::Cartesian(place) => PointPlace::Cartesian(self.pair(place)),
+                PointPlace::Polar(place) => PointPlace::Polar(self.pair(place)),
+                PointPlace::Distances(distances, side) => {
+                    PointPlace::Distances(self.pair(distances), side.clone())
                 }
-                Place::Mistake => Place::Mistake,
+                PointPlace::Mistake => PointPlace::Mistake,
             };
         };
         let pen = self.pen.at(on.span());
         match place {
-            Place::Cartesian(place) => Place::Cartesian(self.place(on, place)),
-            Place::Polar([radius, angle]) => {
+            PointPlace::Cartesian(place) => PointPlace::Cartesian(self.place(on, place)),
+            PointPlace::Polar([radius, angle]) => {
                 let radius = Figure::length(self.expr(radius), f64::NAN, None);
                 let angle = Figure::plain(self.expr(angle), f64::NAN, None);
                 let local =
                     [pen.mul(&radius, &pen.cos(&angle)), pen.mul(&radius, &pen.sin(&angle))];
-                Place::Cartesian(self.place(on, &local.map(|number| number.text)))
+                PointPlace::Cartesian(self.place(on, &local.map(|number| number.text)))
             }
-            Place::Distances([first, second], side) if turn.is_reversed => {
+            PointPlace::Distances([first, second], side) if turn.is_reversed => {
                 let word = if side == "left" { "right" } else { "left" };
                 let side = Ident::new(word, side.span());
-                Place::Distances([self.expr(second), self.expr(first)], side)
+                PointPlace::Distances([self.expr(second), self.expr(first)], side)
             }
             place => place.clone(),
         }

@@ -7,7 +7,7 @@ use proc_macro2::{Ident, Span};
 
 use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
-use crate::model::expr::{Axis, Expr as Resolved};
+use crate::model::expr::{Axis, Scalar as Resolved};
 use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
 use crate::model::names::{Entity, declared_by};
 use crate::model::references::{expressions, names_used};

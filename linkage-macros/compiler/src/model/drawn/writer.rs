@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::chain::cutting::{Dyad, Found, Pair};
 use crate::chain::limits::sine;
 use crate::chain::machine::GROUND;
-use crate::syntax::tree::{Expr, ExprKind, FieldValue, Statement, StatementKind};
+use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, Statement, StatementKind};
 
 use super::bars::DrawnBar;
 use super::bodies::Bodies;
@@ -172,14 +172,16 @@ impl<'b, 't> Writer<'b, 't> {
             _ => None,
         };
         if let Some(tip) = tip {
-            fields.push(("length", FieldValue::One(self.length(body, pivot, tip))));
+            fields.push(("length", GroupFieldValue::One(self.length(body, pivot, tip))));
         }
-        fields.push(("angle", FieldValue::One(angle)));
+        fields.push(("angle", GroupFieldValue::One(angle)));
         if reference != GROUND {
             let name = self.name(reference).clone();
             let span = name.span().into();
-            fields
-                .push(("relative_to", FieldValue::One(Expr { kind: ExprKind::Name(name), span })));
+            fields.push((
+                "relative_to",
+                GroupFieldValue::One(Expr { kind: ExprKind::Name(name), span }),
+            ));
         }
         let legs = [(body, self.name(body).clone(), self.bodies.pins[pivot].name.clone())];
         self.group("crank", &legs, tip, fields, drive);
@@ -203,7 +205,7 @@ impl<'b, 't> Writer<'b, 't> {
                 let lengths = bars.each_ref().map(DrawnBar::length);
                 let mode = if sign > 0.0 { "left" } else { "right" };
                 let mode = self.mode(dyad.legs[0].bodies[0], mode);
-                let fields = vec![("lengths", FieldValue::Pair(lengths)), mode];
+                let fields = vec![("lengths", GroupFieldValue::Pair(lengths)), mode];
                 let names = bars.each_ref().map(|bar| self.bar_name(bar));
                 self.write_named(dyad, names, Some(v), fields);
                 bars.into_iter().for_each(|bar| self.settle_bar(bar));
@@ -212,7 +214,7 @@ impl<'b, 't> Writer<'b, 't> {
                 let [body, block] = self.bars(dyad);
                 let guide = self.guide_of(s);
                 let bar = self.bar(&dyad.legs[0], [u, v]);
-                let mut fields = vec![("length", FieldValue::One(bar.length()))];
+                let mut fields = vec![("length", GroupFieldValue::One(bar.length()))];
                 let offset = self.offset(guide, v);
                 fields.extend(given(offset));
                 fields.push(self.mode(body, sense(sign)));
@@ -274,7 +276,7 @@ impl<'b, 't> Writer<'b, 't> {
             axis: along[1].clone(),
         };
         let [_, offset] = pen.seen_from(&along[0], &pen.minus(self.place(pin), &frame.origin));
-        let mut fields = vec![("slot", FieldValue::One(self.turns.expr(&angle)))];
+        let mut fields = vec![("slot", GroupFieldValue::One(self.turns.expr(&angle)))];
         fields.extend(self.offsets([pen.zero(), offset]));
         self.write(dyad, None, fields);
         self.settle(yoke, frame);
@@ -282,10 +284,10 @@ impl<'b, 't> Writer<'b, 't> {
     }
 
     /// The field `offsets`, none where both are zero.
-    pub(super) fn offsets(&self, offsets: [Figure; 2]) -> Vec<(&'static str, FieldValue)> {
+    pub(super) fn offsets(&self, offsets: [Figure; 2]) -> Vec<(&'static str, GroupFieldValue)> {
         match offsets.iter().all(Figure::is_zero) {
             true => Vec::new(),
-            false => vec![("offsets", FieldValue::Pair(offsets.map(|offset| offset.text)))],
+            false => vec![("offsets", GroupFieldValue::Pair(offsets.map(|offset| offset.text)))],
         }
     }
 
@@ -306,13 +308,13 @@ impl<'b, 't> Writer<'b, 't> {
         pen.size(&pen.minus(self.place(to), self.place(from))).text
     }
 
-    pub(super) fn mode(&self, body: usize, word: &str) -> (&'static str, FieldValue) {
+    pub(super) fn mode(&self, body: usize, word: &str) -> (&'static str, GroupFieldValue) {
         let name = Ident::new(word, self.name(body).span());
         let span = name.span().into();
-        ("mode", FieldValue::One(Expr { kind: ExprKind::Name(name), span }))
+        ("mode", GroupFieldValue::One(Expr { kind: ExprKind::Name(name), span }))
     }
 
-    fn write(&mut self, dyad: &Dyad, pin: Option<usize>, fields: Vec<(&str, FieldValue)>) {
+    fn write(&mut self, dyad: &Dyad, pin: Option<usize>, fields: Vec<(&str, GroupFieldValue)>) {
         let names = self.bars(dyad).map(|body| self.name(body).clone());
         self.write_named(dyad, names, pin, fields);
     }
@@ -323,7 +325,7 @@ impl<'b, 't> Writer<'b, 't> {
         dyad: &Dyad,
         names: [Ident; 2],
         pin: Option<usize>,
-        fields: Vec<(&str, FieldValue)>,
+        fields: Vec<(&str, GroupFieldValue)>,
     ) {
         let mut names = names.into_iter();
         let legs = dyad.legs.each_ref().map(|leg| {
@@ -342,7 +344,7 @@ impl<'b, 't> Writer<'b, 't> {
         keyword: &str,
         legs: &[(usize, Ident, Ident)],
         pin: Option<usize>,
-        fields: Vec<(&str, FieldValue)>,
+        fields: Vec<(&str, GroupFieldValue)>,
         drive: Option<usize>,
     ) {
         let links = legs.iter().map(|(body, ..)| self.bodies.link(*body));
@@ -360,8 +362,8 @@ impl<'b, 't> Writer<'b, 't> {
 }
 
 /// The field `offset`, none where it is zero.
-pub(super) fn given(offset: Figure) -> Option<(&'static str, FieldValue)> {
-    (!offset.is_zero()).then_some(("offset", FieldValue::One(offset.text)))
+pub(super) fn given(offset: Figure) -> Option<(&'static str, GroupFieldValue)> {
+    (!offset.is_zero()).then_some(("offset", GroupFieldValue::One(offset.text)))
 }
 
 fn sense(sign: f64) -> &'static str {

@@ -6,13 +6,13 @@ use proc_macro2::Ident;
 
 use super::{NUMBER, number};
 use crate::model::Resolver;
-use crate::model::dynamics::{Effort, Formula};
+use crate::model::acting::{Effort, Formula};
 use crate::model::expressions::bare_name;
 use crate::model::facts::Reads;
 use crate::model::ids::FormulaId;
-use crate::model::mechanism::{AngleSum, Expr, Output, OutputKind};
+use crate::model::mechanism::{AngleSum, DeclaredOutput, OutputKind, Scalar};
 use crate::model::names::Kind;
-use crate::model::springs::is_rate;
+use crate::model::spring_damper::is_rate;
 use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
 
 impl Resolver<'_> {
@@ -27,7 +27,7 @@ impl Resolver<'_> {
         }
         if self.reads_forces(&item.value) {
             let effort = Effort::Formula(FormulaId(self.mechanism.dynamics.formulas.len() as u32));
-            let formula = Formula { value: Expr::zero(), dimension: NUMBER, reads: Vec::new() };
+            let formula = Formula { value: Scalar::zero(), dimension: NUMBER, reads: Vec::new() };
             self.mechanism.dynamics.formulas.push(formula);
             return self.ask_once(name, name.clone(), effort);
         }
@@ -36,11 +36,11 @@ impl Resolver<'_> {
         let kind = match whole {
             Some(output) => output.kind,
             None if self.holds_angle(tree, &item.value, tree.statements.len()) => {
-                OutputKind::Angle(AngleSum { links: Vec::new(), rest: Expr::zero() })
+                OutputKind::Angle(AngleSum { links: Vec::new(), rest: Scalar::zero() })
             }
             None => number(),
         };
-        self.mechanism.outputs.push(Output { field: name.clone(), docs: Vec::new(), kind });
+        self.mechanism.outputs.push(DeclaredOutput { field: name.clone(), docs: Vec::new(), kind });
     }
 
     /// True if an expression holds the angle of a link, directly or under a name that an earlier

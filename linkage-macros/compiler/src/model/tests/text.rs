@@ -72,30 +72,30 @@ impl Names<'_> {
         }
     }
 
-    fn expr(&self, expr: &Expr) -> String {
+    fn expr(&self, expr: &Scalar) -> String {
         match expr {
-            Expr::Constant(value) => value.to_f64().to_string(),
-            Expr::Input(id) => self.0.inputs[id.index()].name.to_string(),
-            Expr::Load(id) => self.0.dynamics.loads[id.index()].name.to_string(),
-            Expr::Pull => "pull".to_string(),
-            Expr::Param(id) => self.0.params[id.index()].name.to_string(),
-            Expr::Let(id) => format!("let{}", id.0),
-            Expr::Law(id) => format!("law{}", id.0),
-            Expr::Effort(effort, part) => format!("{effort:?}[{part}]"),
-            Expr::Slide(link) => format!("{}.slide", self.link(*link)),
-            Expr::Coordinate(point, axis) => {
+            Scalar::Constant(value) => value.to_f64().to_string(),
+            Scalar::Input(id) => self.0.inputs[id.index()].name.to_string(),
+            Scalar::Load(id) => self.0.dynamics.loads[id.index()].name.to_string(),
+            Scalar::Pull => "pull".to_string(),
+            Scalar::Param(id) => self.0.params[id.index()].name.to_string(),
+            Scalar::Let(id) => format!("let{}", id.0),
+            Scalar::Law(id) => format!("law{}", id.0),
+            Scalar::Effort(effort, part) => format!("{effort:?}[{part}]"),
+            Scalar::Slide(link) => format!("{}.slide", self.link(*link)),
+            Scalar::Coordinate(point, axis) => {
                 format!("{}.{axis:?}", self.point(*point)).to_lowercase()
             }
-            Expr::Twist(id) => format!("twist {}", id.index()),
-            Expr::Rate(turn) => format!("rate({})", self.turn(turn)),
-            Expr::Distance([p, q]) => format!("distance({}, {})", self.point(*p), self.point(*q)),
-            Expr::Offset(point, guide) => {
+            Scalar::Twist(id) => format!("twist {}", id.index()),
+            Scalar::Rate(turn) => format!("rate({})", self.turn(turn)),
+            Scalar::Distance([p, q]) => format!("distance({}, {})", self.point(*p), self.point(*q)),
+            Scalar::Offset(point, guide) => {
                 format!("offset({}, {})", self.point(*point), self.guide(*guide))
             }
-            Expr::Unknown(id) => self.0.unknowns[id.index()].name.to_string(),
-            Expr::AboveZero(inner) => self.expr(&inner.value),
-            Expr::Negate(value) => format!("(-{})", self.expr(value)),
-            Expr::Chain(first, rest) => {
+            Scalar::Unknown(id) => self.0.unknowns[id.index()].name.to_string(),
+            Scalar::AboveZero(inner) => self.expr(&inner.value),
+            Scalar::Negate(value) => format!("(-{})", self.expr(value)),
+            Scalar::Chain(first, rest) => {
                 rest.iter().fold(self.expr(first), |left, (operator, right)| {
                     let operator = match operator {
                         Operator::Add => '+',
@@ -106,14 +106,14 @@ impl Names<'_> {
                     format!("({left} {operator} {})", self.expr(right))
                 })
             }
-            Expr::Call(function, arguments) => {
+            Scalar::Call(function, arguments) => {
                 let arguments: Vec<_> = arguments.iter().map(|a| self.expr(a)).collect();
                 format!("{function:?}({})", arguments.join(", ")).to_lowercase()
             }
         }
     }
 
-    fn pair(&self, [first, second]: &[Expr; 2]) -> String {
+    fn pair(&self, [first, second]: &[Scalar; 2]) -> String {
         format!("({}, {})", self.expr(first), self.expr(second))
     }
 
@@ -213,7 +213,7 @@ impl Names<'_> {
         format!("{made} on {outer}{pin}{lengths}{slot}{offsets}{mode}")
     }
 
-    fn output(&self, output: &Output) -> String {
+    fn output(&self, output: &DeclaredOutput) -> String {
         let what = match &output.kind {
             OutputKind::CentreOfMass => "centre of mass".to_string(),
             OutputKind::Point(point) => format!("point {}", self.point(*point)),

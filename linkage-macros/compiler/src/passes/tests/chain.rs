@@ -6,7 +6,7 @@ use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::liveness::{Path, live};
 use crate::ir::program::{EntryOutputs, Program};
 use crate::ir::text::text;
-use crate::passes::chain::{chain_products, negate_within};
+use crate::passes::product_sums::{chain_products, negate_within};
 
 /// A graph of numbers `a` to `e` that are known at the start, of which `e` is a rate, and `late`, which waits
 /// for `e`.

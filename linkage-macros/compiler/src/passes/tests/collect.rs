@@ -8,7 +8,7 @@ use crate::equations::tests::forces::loaded;
 use crate::interface::entries::EntryPoint;
 use crate::ir::construct::rebuild;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::ir::interpret::Given;
+use crate::ir::interpret::ProgramValues;
 use crate::ir::program::{EntryOutputs, Program};
 use crate::ir::text::text;
 use crate::oracle::{Digits, defaults, mechanism, values};
@@ -224,7 +224,7 @@ fn collecting_changes_no_value() {
     for (source, inputs) in variants.chain([squeezer]) {
         let mechanism = mechanism(&source);
         let raw = rebuild(&equations::derive(&mechanism, RULES), RULES);
-        let given = Given {
+        let given = ProgramValues {
             inputs: inputs.iter().map(|q| q.map(Digits::float)).collect(),
             params: defaults(&mechanism),
             loads: Vec::new(),

@@ -4,7 +4,7 @@ use crate::equations;
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::exact::Exact;
 use crate::ir::construct::{Rule, rebuild};
-use crate::ir::interpret::{Given, Number};
+use crate::ir::interpret::{Number, ProgramValues};
 use crate::ir::program::Program;
 use crate::oracle::{Digits, defaults, mechanism, values};
 use crate::passes::{RULES, affine, contract, fold, optimise, simplify};
@@ -22,7 +22,7 @@ fn no_pass_changes_a_value() {
     ];
     for variant in VARIANTS.iter().chain(UNKNOWNS) {
         let mechanism = mechanism(variant.source);
-        let given = Given {
+        let given = ProgramValues {
             inputs: variant.inputs.iter().map(|q| q.map(Digits::float)).collect(),
             params: defaults(&mechanism),
             loads: Vec::new(),
@@ -62,7 +62,7 @@ fn a_given_cosine_and_sine_are_all_that_is_read_of_an_angle() {
              crank AB(A) -> B {{ length: 0.1016, angle: q }} {groups} }}"
         ));
         let raw = equations::derive(&mechanism, &[]);
-        let given = |value: Digits, unit| Given {
+        let given = |value: Digits, unit| ProgramValues {
             inputs: vec![[value, Digits::float(1.3), Digits::float(-0.6)]],
             params: defaults(&mechanism),
             loads: Vec::new(),
@@ -93,7 +93,7 @@ fn off_the_circle_a_coupler_would_not_keep_its_length() {
     let length = |amplitude: f64| {
         let unit = [0.6, 0.8].map(|x| Digits::float(amplitude * x));
         let inputs = vec![[0.0; 3].map(Digits::float)];
-        let given = Given {
+        let given = ProgramValues {
             inputs,
             params: Vec::new(),
             loads: Vec::new(),

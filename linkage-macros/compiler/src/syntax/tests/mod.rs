@@ -100,10 +100,10 @@ fn kind(kind: &StatementKind) -> String {
         }
         StatementKind::Point { name, on, place } => {
             let place = match place {
-                Place::Cartesian(at) => pair(at),
-                Place::Polar(at) => format!("polar {}", pair(at)),
-                Place::Distances(at, side) => format!("distances {} {side}", pair(at)),
-                Place::Mistake => "?".to_string(),
+                PointPlace::Cartesian(at) => pair(at),
+                PointPlace::Polar(at) => format!("polar {}", pair(at)),
+                PointPlace::Distances(at, side) => format!("distances {} {side}", pair(at)),
+                PointPlace::Mistake => "?".to_string(),
             };
             format!("point {name}{} at {place}", carrier(on))
         }
@@ -195,7 +195,7 @@ fn action(action: &Action) -> String {
     }
 }
 
-fn group(group: &Group) -> String {
+fn group(group: &GroupStatement) -> String {
     let legs = group.legs.iter().map(|leg| match &leg.joint {
         Some(joint) => format!("{}({joint})", leg.link),
         None => format!("{}(?)", leg.link),
@@ -205,10 +205,10 @@ fn group(group: &Group) -> String {
     format!("{} {legs}{pin} {{ {} }}", group.keyword, fields(group))
 }
 
-fn fields(group: &Group) -> String {
+fn fields(group: &GroupStatement) -> String {
     let fields = group.fields.iter().map(|field| match &field.value {
-        FieldValue::One(value) => format!("{}: {}", field.name, expr(value)),
-        FieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
+        GroupFieldValue::One(value) => format!("{}: {}", field.name, expr(value)),
+        GroupFieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
     });
     fields.collect::<Vec<_>>().join(", ")
 }

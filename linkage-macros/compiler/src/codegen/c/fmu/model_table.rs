@@ -5,7 +5,7 @@ use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::c::c_names::{is_array, param as field_of_param};
 use crate::codegen::c_export::c_identifiers::{Width, default, function};
 use crate::codegen::identifiers::text;
-use crate::interface::entries::{Entry, Given};
+use crate::interface::entries::{ArgumentKind, Entry};
 use crate::model::mechanism::ParamKind;
 
 impl Model<'_> {
@@ -71,7 +71,7 @@ impl Model<'_> {
         }
         if self.is_dynamic && nth == 0 {
             let of_drives = of_drives(cx.interface).expect("it is dynamic");
-            lines += &self.call(of_drives, "rates", self.first[kind(Given::Acceleration)]);
+            lines += &self.call(of_drives, "rates", self.first[kind(ArgumentKind::Acceleration)]);
         }
         if let Some(group) = self.groups.get(nth) {
             lines += &self.call(group.entry, "found", group.first);

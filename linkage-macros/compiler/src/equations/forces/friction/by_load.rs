@@ -19,7 +19,7 @@ use crate::equations::forces::pull;
 use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
-use crate::model::dynamics::Contact;
+use crate::model::acting::Contact;
 
 /// Calls `f` with the walk under everything, and the load.
 pub(in crate::equations::forces) fn walked<'s, R>(

@@ -22,7 +22,7 @@ use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Id;
-use crate::model::dynamics::Contact;
+use crate::model::acting::Contact;
 use crate::model::mechanism::Mechanism;
 
 use super::amount::Row;

@@ -14,8 +14,10 @@
 use super::Walk;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
-use crate::model::dynamics::Effort;
-use crate::model::mechanism::{Equation, Expr, Group, GuideId, Joint, LinkId, PointId, UnknownId};
+use crate::model::acting::Effort;
+use crate::model::mechanism::{
+    Equation, Group, GuideId, Joint, LinkId, PointId, Scalar, UnknownId,
+};
 
 impl<'s> Walk<'_, 's> {
     /// Puts the push of an equation on what it reads.
@@ -30,7 +32,7 @@ impl<'s> Walk<'_, 's> {
                 self.transmit(left, -push);
                 self.transmit(right, push);
                 for (side, push) in [(left, push), (right, -push)] {
-                    if let Expr::Offset(point, guide) = side {
+                    if let Scalar::Offset(point, guide) = side {
                         self.note_block(left_out, (*point, *guide), push);
                     }
                 }
@@ -38,7 +40,7 @@ impl<'s> Walk<'_, 's> {
             Equation::Turn(turn) => self.transmit_turn(turn, -push),
             Equation::Distance { points, length, is_left } => {
                 let push = if *is_left { push } else { -push };
-                self.transmit(&Expr::Distance(*points), -push);
+                self.transmit(&Scalar::Distance(*points), -push);
                 self.transmit(&length.value, push);
                 self.note_bar(left_out, *points, push);
             }

@@ -4,9 +4,9 @@
 use super::Walk;
 use crate::equations::reactions::{Acting, GuideReaction, Inner, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
-use crate::model::dynamics::Effort;
+use crate::model::acting::Effort;
 use crate::model::mechanism::{
-    Carrier, Drive, Expr, Group, GuideDirection, GuideId, Joint, LinkId, Placement, PointId,
+    Carrier, Drive, Group, GuideDirection, GuideId, Joint, LinkId, Placement, PointId, Scalar,
     Slideway, Step, Through,
 };
 
@@ -128,7 +128,7 @@ impl<'k, 's> Walk<'k, 's> {
     }
 
     /// The force of a driven length, but for what moves with the rod by coordinates of its own.
-    fn drive_length(&mut self, link: LinkId, length: &Expr, push: Sym<'s>) {
+    fn drive_length(&mut self, link: LinkId, length: &Scalar, push: Sym<'s>) {
         let with_rod = self.rods(link) + push;
         self.found.insert(Effort::Push(link), vec![with_rod]);
         self.transmit(length, push);

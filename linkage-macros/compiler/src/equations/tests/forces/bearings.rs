@@ -1,8 +1,8 @@
 //! The forces that all links on a point put on it: the opposite of what its pin puts on each of them.
 
 use super::{Digits, Id, Number, Walk, whole};
-use crate::model::dynamics::Effort;
-use crate::model::mechanism::{Equation, Expr, Mechanism, PointId, UnknownId};
+use crate::model::acting::Effort;
+use crate::model::mechanism::{Equation, Mechanism, PointId, Scalar, UnknownId};
 
 /// By point, the nodes of the sum.
 pub(super) fn found(mechanism: &Mechanism, walk: &Walk<'_, '_>) -> Vec<(PointId, [Id; 2])> {
@@ -37,7 +37,7 @@ fn is_pushed_by_nothing_drawn(mechanism: &Mechanism, point: PointId) -> bool {
         let reads = match &mechanism.unknowns[id.index()].equation {
             Equation::Distance { points, .. } => points.contains(&point),
             Equation::Difference(sides) => {
-                sides.iter().any(|side| matches!(side, Expr::Offset(read, _) if *read == point))
+                sides.iter().any(|side| matches!(side, Scalar::Offset(read, _) if *read == point))
             }
             Equation::Turn(_) => false,
         };

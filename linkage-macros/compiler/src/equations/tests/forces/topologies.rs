@@ -2,7 +2,7 @@
 
 use super::loaded;
 use crate::diagnostics::Diagnostics;
-use crate::ir::interpret::{Given, interpret};
+use crate::ir::interpret::{ProgramValues, interpret};
 use crate::{equations, model, passes, syntax};
 
 /// Numbers that repeat: Knuth's linear congruence.
@@ -174,8 +174,13 @@ fn assembles(source: &str, inputs: &[[f64; 3]]) -> bool {
     let Some(mechanism) = mechanism else { return false };
     let program = equations::derive(&mechanism, passes::RULES);
     let inputs = inputs.to_vec();
-    let given =
-        Given { inputs, params: Vec::new(), loads: vec![0.0; 9], drives: vec![0.0; 9], unit: None };
+    let given = ProgramValues {
+        inputs,
+        params: Vec::new(),
+        loads: vec![0.0; 9],
+        drives: vec![0.0; 9],
+        unit: None,
+    };
     let values = interpret(&program, &given);
     let motion = program.answer("motion").expect("there is a motion");
     // Accelerations grow next to limits, and what stands on them loses digits.

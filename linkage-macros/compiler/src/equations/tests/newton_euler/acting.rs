@@ -7,8 +7,8 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::function::Function;
 use crate::ir::graph::Id;
-use crate::model::dynamics::{Axes, Ends, Force, MassPlace, Spring};
-use crate::model::mechanism::{Carrier, Expr, PointId};
+use crate::model::acting::{Axes, Ends, Force, MassPlace, Spring};
+use crate::model::mechanism::{Carrier, PointId, Scalar};
 
 pub(super) fn acting(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
     let (masses, applied) = (masses(kinematics), applied(kinematics));
@@ -19,12 +19,12 @@ pub(super) fn acting(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
 /// Weight and inertia of every mass: m (g − a_G) at G and −J α.
 fn masses(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
     let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
-    let value = |expr: &Expr| kinematics.jet(expr).value;
+    let value = |expr: &Scalar| kinematics.jet(expr).value;
     let g = match &mechanism.dynamics.gravity {
         Some([x, y]) => Vector { x: value(x), y: value(y) },
         None => builder.zero_vector(),
     };
-    let of = |(index, declared): (usize, &crate::model::dynamics::Mass)| {
+    let of = |(index, declared): (usize, &crate::model::acting::Mass)| {
         let mass = value(&declared.mass.value);
         let (link, part, at, inertia) = match &declared.place {
             MassPlace::Pin(point) => {
@@ -53,7 +53,7 @@ fn masses(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
             }
             MassPlace::Uniform(link, length) => {
                 let length = kinematics.jet(length);
-                let zero = kinematics.jet(&Expr::zero());
+                let zero = kinematics.jet(&Scalar::zero());
                 let inertia = mass * length.value * length.value / builder.integer(12);
                 let at = [length.times(builder.integer(1).half()), zero];
                 (*link, Part::Link(*link), at, inertia)
@@ -79,7 +79,7 @@ fn masses(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
 /// The declaration's forces and torques.
 fn applied(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {
     let dynamics = &kinematics.mechanism.dynamics;
-    let value = |expr: &Expr| kinematics.jet(expr).value;
+    let value = |expr: &Scalar| kinematics.jet(expr).value;
     let force = |point: PointId, value: Vector<'_>| force(kinematics, point, value);
     let mut all = Vec::new();
     for declared in &dynamics.forces {

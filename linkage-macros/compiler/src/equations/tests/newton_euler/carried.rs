@@ -9,9 +9,9 @@ use super::{
     Pair, Part, held_point, is_moving, normal, part, part_of_carrier, part_of_point, whole,
 };
 use crate::ir::interpret::Number;
-use crate::model::dynamics::MassPlace;
+use crate::model::acting::MassPlace;
 use crate::model::mechanism::{
-    AngleSum, Carrier, Expr, GuideDirection, GuideId, LinkId, Placement, PointId, Step, Through,
+    AngleSum, Carrier, GuideDirection, GuideId, LinkId, Placement, PointId, Scalar, Step, Through,
 };
 use crate::oracle::Digits;
 
@@ -54,7 +54,7 @@ impl<'k> Matrix<'k, '_> {
         parts: [Part; 2],
         at: &Pair<Digits>,
         u: &Pair<Digits>,
-        dimensions: [Option<&Expr>; 2],
+        dimensions: [Option<&Scalar>; 2],
     ) {
         for (direction, dimension) in [u.clone(), normal(u)].iter().zip(dimensions) {
             let unknown = self.unknown(parts, at, direction, 0);
@@ -117,7 +117,7 @@ impl<'k> Matrix<'k, '_> {
         &mut self,
         [block, yoke]: [LinkId; 2],
         at: &Pair<Digits>,
-        across: &Expr,
+        across: &Scalar,
         turn: &AngleSum,
     ) {
         let parts = [Part::Slot(block), Part::Link(yoke)];

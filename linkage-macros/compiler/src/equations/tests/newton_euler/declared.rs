@@ -2,7 +2,7 @@
 //! connects, where a point belongs or what moves: the oracle has its own opinion of that.
 
 use crate::model::mechanism::{
-    AngleSum, Drive, Expr, Group, GuideId, JointKind, LinkId, PointId, Slideway,
+    AngleSum, Drive, Group, GuideId, JointKind, LinkId, PointId, Scalar, Slideway,
 };
 
 pub(super) struct Declared<'k> {
@@ -11,8 +11,8 @@ pub(super) struct Declared<'k> {
     pub points: Vec<PointId>,
     pub guides: Vec<GuideId>,
     pub pin: Option<PointId>,
-    pub lengths: Vec<&'k Expr>,
-    pub offsets: Vec<&'k Expr>,
+    pub lengths: Vec<&'k Scalar>,
+    pub offsets: Vec<&'k Scalar>,
     pub slot: Option<&'k AngleSum>,
     pub drive: Option<&'k Drive>,
 }

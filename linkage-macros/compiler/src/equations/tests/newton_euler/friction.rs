@@ -3,7 +3,7 @@
 use super::{Applied, Motion, Part, part_of_carrier};
 use crate::equations::kinematics::Kinematics;
 use crate::ir::interpret::Number;
-use crate::model::dynamics::Contact;
+use crate::model::acting::Contact;
 use crate::model::mechanism::{LinkId, Slideway};
 use crate::oracle::Digits;
 

@@ -5,8 +5,8 @@ use super::matrix::Matrix;
 use super::readings::evaluate;
 use super::{Pair, Part, has_readings, normal, part_of, part_of_carrier, whole};
 use crate::ir::interpret::Number;
-use crate::model::dynamics::Effort;
-use crate::model::mechanism::{Carrier, Drive, Expr, GuideId, LinkId, Placement, PointId, Step};
+use crate::model::acting::Effort;
+use crate::model::mechanism::{Carrier, Drive, GuideId, LinkId, Placement, PointId, Scalar, Step};
 use crate::oracle::Digits;
 use crate::syntax::anatomy::Class;
 
@@ -37,7 +37,7 @@ impl<'k> Matrix<'k, '_> {
     }
 
     /// A bar, and its rod where its length is driven.
-    fn bar(&mut self, link: LinkId, outer: PointId, pin: PointId, length: &Expr) {
+    fn bar(&mut self, link: LinkId, outer: PointId, pin: PointId, length: &Scalar) {
         self.revolute(link, Part::Link(link), part_of(self.kinematics, outer), outer);
         let part = match self.kinematics.mechanism.moves(length) {
             true => Part::Rod(link),
@@ -48,7 +48,7 @@ impl<'k> Matrix<'k, '_> {
     }
 
     /// The rod slides in the bar at the pin.
-    fn rod(&mut self, link: LinkId, pin: PointId, length: &Expr) {
+    fn rod(&mut self, link: LinkId, pin: PointId, length: &Scalar) {
         if !self.kinematics.mechanism.moves(length) {
             return;
         }

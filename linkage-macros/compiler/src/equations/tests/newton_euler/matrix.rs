@@ -7,8 +7,8 @@ use super::{
 };
 use crate::equations::kinematics::Kinematics;
 use crate::ir::interpret::Number;
-use crate::model::dynamics::{Effort, MassPlace};
-use crate::model::mechanism::{Body, Expr, GuideId, LinkId, PointId, Slideway, UnknownId};
+use crate::model::acting::{Effort, MassPlace};
+use crate::model::mechanism::{Body, GuideId, LinkId, PointId, Scalar, Slideway, UnknownId};
 use crate::oracle::Digits;
 
 /// One unknown: what one unit of it puts on every part's equations.
@@ -17,7 +17,7 @@ pub(super) type Column = HashMap<usize, Digits>;
 pub(in crate::equations::tests) struct Matrix<'k, 's> {
     pub(super) kinematics: &'k Kinematics<'s>,
     pub(super) motion: &'k Motion<Digits>,
-    pub(super) given: &'k dyn Fn(&Expr) -> Digits,
+    pub(super) given: &'k dyn Fn(&Scalar) -> Digits,
     /// Where the equations of a part begin: two of forces, and of what turns one of moments.
     rows: HashMap<Part, usize>,
     count: usize,
@@ -31,7 +31,7 @@ impl<'k, 's> Matrix<'k, 's> {
     pub(in crate::equations::tests) fn solved(
         kinematics: &'k Kinematics<'s>,
         motion: &'k Motion<Digits>,
-        given: &'k dyn Fn(&Expr) -> Digits,
+        given: &'k dyn Fn(&Scalar) -> Digits,
     ) -> Vec<(Effort, Vec<Digits>)> {
         let mut matrix = Self {
             kinematics,

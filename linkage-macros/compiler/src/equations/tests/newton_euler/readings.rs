@@ -2,52 +2,56 @@
 
 use super::whole;
 use crate::ir::interpret::Number;
-use crate::model::mechanism::{Expr, Mechanism, Operator};
+use crate::model::mechanism::{Mechanism, Operator, Scalar};
 use crate::oracle::Digits;
 
 /// Collects the readings of earlier links in an expression, each once.
-pub(super) fn readings(mechanism: &Mechanism, expr: &Expr, leaves: &mut Vec<Expr>) {
+pub(super) fn readings(mechanism: &Mechanism, expr: &Scalar, leaves: &mut Vec<Scalar>) {
     match expr {
-        Expr::Slide(_)
-        | Expr::Coordinate(..)
-        | Expr::Distance(_)
-        | Expr::Offset(..)
-        | Expr::Unknown(_) => {
+        Scalar::Slide(_)
+        | Scalar::Coordinate(..)
+        | Scalar::Distance(_)
+        | Scalar::Offset(..)
+        | Scalar::Unknown(_) => {
             if !leaves.iter().any(|known| same(known, expr)) {
                 leaves.push(expr.clone());
             }
         }
-        Expr::Let(id) => readings(mechanism, &mechanism.lets[id.index()].rest, leaves),
-        Expr::Negate(value) => readings(mechanism, value, leaves),
-        Expr::AboveZero(inner) => readings(mechanism, &inner.value, leaves),
-        Expr::Chain(first, rest) => {
+        Scalar::Let(id) => readings(mechanism, &mechanism.lets[id.index()].rest, leaves),
+        Scalar::Negate(value) => readings(mechanism, value, leaves),
+        Scalar::AboveZero(inner) => readings(mechanism, &inner.value, leaves),
+        Scalar::Chain(first, rest) => {
             readings(mechanism, first, leaves);
             rest.iter().for_each(|(_, operand)| readings(mechanism, operand, leaves));
         }
-        Expr::Call(_, arguments) => {
+        Scalar::Call(_, arguments) => {
             arguments.iter().for_each(|argument| readings(mechanism, argument, leaves));
         }
-        Expr::Constant(_) | Expr::Input(_) | Expr::Param(_) | Expr::Load(_) | Expr::Pull => {}
-        Expr::Twist(_) | Expr::Rate(_) | Expr::Law(_) | Expr::Effort(..) => {
+        Scalar::Constant(_)
+        | Scalar::Input(_)
+        | Scalar::Param(_)
+        | Scalar::Load(_)
+        | Scalar::Pull => {}
+        Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => {
             unreachable!("none of these is part of a dimension")
         }
     }
 }
 
-fn same(a: &Expr, b: &Expr) -> bool {
+fn same(a: &Scalar, b: &Scalar) -> bool {
     format!("{a:?}") == format!("{b:?}")
 }
 
 /// ∂expr/∂leaf by a central difference with the step 2⁻¹⁰⁰: good to h² = 2⁻²⁰⁰.
 pub(super) fn slope(
     mechanism: &Mechanism,
-    expr: &Expr,
-    leaf: &Expr,
-    given: &dyn Fn(&Expr) -> Digits,
+    expr: &Scalar,
+    leaf: &Scalar,
+    given: &dyn Fn(&Scalar) -> Digits,
 ) -> Digits {
     let step = Digits::float(0.5f64.powi(100));
     let at = |shift: &Digits| {
-        let leaf_at = |asked: &Expr| match same(asked, leaf) {
+        let leaf_at = |asked: &Scalar| match same(asked, leaf) {
             true => given(asked).add(shift),
             false => given(asked),
         };
@@ -58,16 +62,16 @@ pub(super) fn slope(
 
 pub(super) fn evaluate(
     mechanism: &Mechanism,
-    expr: &Expr,
-    given: &dyn Fn(&Expr) -> Digits,
+    expr: &Scalar,
+    given: &dyn Fn(&Scalar) -> Digits,
 ) -> Digits {
-    let value = |expr: &Expr| evaluate(mechanism, expr, given);
+    let value = |expr: &Scalar| evaluate(mechanism, expr, given);
     match expr {
-        Expr::Constant(constant) => Digits::exact(constant),
-        Expr::Let(id) => value(&mechanism.lets[id.index()].rest),
-        Expr::Negate(inner) => value(inner).neg(),
-        Expr::AboveZero(inner) => value(&inner.value),
-        Expr::Chain(first, rest) => rest.iter().fold(value(first), |a, (operator, b)| {
+        Scalar::Constant(constant) => Digits::exact(constant),
+        Scalar::Let(id) => value(&mechanism.lets[id.index()].rest),
+        Scalar::Negate(inner) => value(inner).neg(),
+        Scalar::AboveZero(inner) => value(&inner.value),
+        Scalar::Chain(first, rest) => rest.iter().fold(value(first), |a, (operator, b)| {
             let b = value(b);
             match operator {
                 Operator::Add => a.add(&b),
@@ -76,7 +80,7 @@ pub(super) fn evaluate(
                 Operator::Div => a.div(&b),
             }
         }),
-        Expr::Call(function, arguments) => {
+        Scalar::Call(function, arguments) => {
             let values: Vec<_> = arguments.iter().map(value).collect();
             Digits::of(*function, &values.iter().collect::<Vec<_>>())
         }

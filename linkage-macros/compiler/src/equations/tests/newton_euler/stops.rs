@@ -6,7 +6,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::function::Function;
 use crate::ir::graph::Id;
-use crate::model::dynamics::{Stop, Stopped};
+use crate::model::acting::{Stop, Stopped};
 use crate::model::mechanism::{AngleSum, Carrier, LinkId};
 
 pub(super) fn stops(kinematics: &Kinematics<'_>) -> Vec<Applied<Id>> {

@@ -5,7 +5,7 @@ use super::matrix::{Column, Matrix};
 use super::readings::{readings, slope};
 use super::{Pair, Part, negative, normal, part_of, whole};
 use crate::ir::interpret::Number;
-use crate::model::mechanism::{AngleSum, Axis, Equation, Expr, Group, UnknownId};
+use crate::model::mechanism::{AngleSum, Axis, Equation, Group, Scalar, UnknownId};
 use crate::oracle::Digits;
 use crate::syntax::anatomy::Class;
 
@@ -22,7 +22,7 @@ impl Matrix<'_, '_> {
             match &unknown.equation {
                 Equation::Difference([left, right]) if is_clamped => {
                     // The clamp pushes along the normal of the guide.
-                    let is_left = matches!(left, Expr::Offset(..));
+                    let is_left = matches!(left, Scalar::Offset(..));
                     let (rest, sign) = if is_left { (right, 1) } else { (left, -1) };
                     self.transmit(rest, &[(push, whole(sign))]);
                 }
@@ -34,7 +34,7 @@ impl Matrix<'_, '_> {
                 Equation::Distance { points, length, is_left } => {
                     let sign = if *is_left { 1 } else { -1 };
                     if !is_clamped {
-                        self.transmit(&Expr::Distance(*points), &[(push, whole(-sign))]);
+                        self.transmit(&Scalar::Distance(*points), &[(push, whole(-sign))]);
                     }
                     self.transmit(&length.value, &[(push, whole(sign))]);
                 }
@@ -69,7 +69,7 @@ impl Matrix<'_, '_> {
     }
 
     /// The same of any dimension: what it reads of earlier links is pushed back.
-    pub(super) fn transmit(&mut self, expr: &Expr, effort: &[(usize, Digits)]) {
+    pub(super) fn transmit(&mut self, expr: &Scalar, effort: &[(usize, Digits)]) {
         let mut leaves = Vec::new();
         readings(self.kinematics.mechanism, expr, &mut leaves);
         for leaf in leaves {
@@ -83,25 +83,25 @@ impl Matrix<'_, '_> {
         }
     }
 
-    fn push_reading(&self, column: &mut Column, leaf: &Expr, push: &Digits) {
+    fn push_reading(&self, column: &mut Column, leaf: &Scalar, push: &Digits) {
         let scaled = |v: &Pair<Digits>, by: &Digits| [v[0].mul(by), v[1].mul(by)];
         let none = whole(0);
         match leaf {
-            Expr::Slide(link) => {
+            Scalar::Slide(link) => {
                 let u = &self.motion.directions[link.index()];
                 let at = &self.motion.origins[link.index()];
                 let force = scaled(u, push);
                 self.act(column, Part::Link(*link), at, &force, &none);
                 self.act(column, under(self.kinematics, *link), at, &negative(&force), &none);
             }
-            Expr::Coordinate(point, axis) => {
+            Scalar::Coordinate(point, axis) => {
                 let [x, y] = Self::axes();
                 let axis = if *axis == Axis::X { x } else { y };
                 let part = part_of(self.kinematics, *point);
                 let at = &self.motion.points[point.index()];
                 self.act(column, part, at, &scaled(&axis, push), &none);
             }
-            Expr::Distance([p, q]) => {
+            Scalar::Distance([p, q]) => {
                 let [a, b] = [p, q].map(|point| &self.motion.points[point.index()]);
                 let d = [b[0].sub(&a[0]), b[1].sub(&a[1])];
                 let force = scaled(&d, &push.div(&d[0].hypot(&d[1])));
@@ -109,14 +109,14 @@ impl Matrix<'_, '_> {
                 self.act(column, on_q, b, &force, &none);
                 self.act(column, on_p, a, &negative(&force), &none);
             }
-            Expr::Offset(point, guide) => {
+            Scalar::Offset(point, guide) => {
                 let u = &self.motion.guides[guide.index()].1;
                 let at = &self.motion.points[point.index()];
                 let force = scaled(&normal(u), push);
                 self.act(column, part_of(self.kinematics, *point), at, &force, &none);
                 self.act(column, Part::Guide(*guide), at, &negative(&force), &none);
             }
-            Expr::Unknown(unknown) => {
+            Scalar::Unknown(unknown) => {
                 let effort = [push.clone(), whole(0)];
                 self.act(column, Part::Sought(*unknown), &[whole(0), whole(0)], &effort, &none);
             }

@@ -16,7 +16,7 @@ use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
 
 /// The things a group statement has made, and those it was given.
 pub(super) struct Parts<'t> {
-    pub group: &'t tree::Group,
+    pub group: &'t tree::GroupStatement,
     pub anatomy: &'static GroupSpec,
     pub id: GroupId,
     /// One a leg; `None` where the name was in error.
@@ -63,7 +63,7 @@ impl Parts<'_> {
 }
 
 impl Resolver<'_> {
-    pub(super) fn group(&mut self, docs: &[Attribute], group: &tree::Group) {
+    pub(super) fn group(&mut self, docs: &[Attribute], group: &tree::GroupStatement) {
         let Some(anatomy) = GroupSpec::of(&group.keyword.to_string()) else {
             self.group_exists(&group.keyword);
             self.names_stay_unknown(group);
@@ -107,7 +107,7 @@ impl Resolver<'_> {
     }
 
     /// Reserves the names of a statement that cannot be understood. They stay unresolved.
-    fn names_stay_unknown(&mut self, group: &tree::Group) {
+    fn names_stay_unknown(&mut self, group: &tree::GroupStatement) {
         for name in group.legs.iter().map(|leg| &leg.link).chain(&group.pin) {
             self.name_is_new(name);
         }
@@ -186,7 +186,7 @@ impl Resolver<'_> {
     fn pin(
         &mut self,
         docs: &[Attribute],
-        group: &tree::Group,
+        group: &tree::GroupStatement,
         anatomy: &GroupSpec,
         id: GroupId,
     ) -> Option<PointId> {
@@ -210,7 +210,7 @@ impl Resolver<'_> {
     }
 
     /// A driver has one link, a dyad two.
-    fn each_joint_has_a_link(&mut self, group: &tree::Group, anatomy: &GroupSpec) -> bool {
+    fn each_joint_has_a_link(&mut self, group: &tree::GroupStatement, anatomy: &GroupSpec) -> bool {
         let (found, wanted) = (group.legs.len(), anatomy.joints.len());
         let span = match group.legs.get(wanted) {
             _ if found == wanted => return true,
@@ -231,7 +231,7 @@ impl Resolver<'_> {
 
     fn outer_joints(
         &mut self,
-        group: &tree::Group,
+        group: &tree::GroupStatement,
         anatomy: &GroupSpec,
     ) -> Vec<Option<OuterJoint>> {
         let outer: Vec<_> = (group.legs.iter().zip(anatomy.joints))
@@ -282,7 +282,7 @@ impl Resolver<'_> {
     /// The two links of a group stand on two different things.
     fn outer_joints_differ(
         &mut self,
-        group: &tree::Group,
+        group: &tree::GroupStatement,
         first: OuterJoint,
         second: OuterJoint,
     ) -> bool {

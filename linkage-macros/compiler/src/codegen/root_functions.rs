@@ -15,7 +15,7 @@ use crate::ir::graph::{Target, Trend};
 use crate::lower::TRIAL;
 use crate::lower::routine::Apart;
 use crate::lower::routine::Search;
-use crate::model::mechanism::{Expr, Mechanism, Mode, Sign, Unknown};
+use crate::model::mechanism::{Mechanism, Mode, Scalar, Sign, Unknown};
 use crate::syntax::anatomy::Modes;
 
 /// One function a root: nothing but this is done again and again.
@@ -162,7 +162,7 @@ pub(super) fn mode(mechanism: &Mechanism, unknown: &Unknown) -> String {
 fn ends(unknown: &Unknown) -> String {
     let unit = unit(unknown.dimension, Order::Position);
     match &unknown.between {
-        [Expr::Constant(from), Expr::Constant(to)] => {
+        [Scalar::Constant(from), Scalar::Constant(to)] => {
             format!(" from {:.6} to {:.6} {unit}", from.to_f64(), to.to_f64())
         }
         _ => format!(" in {unit}"),

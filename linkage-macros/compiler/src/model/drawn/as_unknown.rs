@@ -8,7 +8,7 @@ use crate::chain::cutting::{DyadLeg, Found, Pair, SearchedGroup};
 use crate::chain::machine::Driven;
 use crate::chain::plane::Complex;
 use crate::model::names::Names;
-use crate::syntax::tree::{Expr, ExprKind, FieldValue, Solve, StatementKind};
+use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, Solve, StatementKind};
 
 use super::bodies::Bodies;
 use super::ends::RodEnd;
@@ -147,7 +147,7 @@ impl Writer<'_, '_> {
         let block = self.block(body, self.name(body), search.joints[0]);
         let pen = self.pen.at(self.name(body).span());
         let slot = pen.float(90.0, "deg");
-        let mut fields = vec![("slot", FieldValue::One(slot))];
+        let mut fields = vec![("slot", GroupFieldValue::One(slot))];
         fields.extend(self.offsets([offset.clone(), pen.zero()]));
         let group =
             group_of("rpp", vec![(block, name), (self.name(body).clone(), rail)], None, fields);

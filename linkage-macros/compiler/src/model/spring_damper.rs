@@ -4,10 +4,10 @@ use proc_macro2::Ident;
 use quote::format_ident;
 use syn::Attribute;
 
-use crate::syntax::tree::{Expr, ExprKind, Group};
+use crate::syntax::tree::{Expr, ExprKind, GroupStatement};
 
 use super::Resolver;
-use super::dynamics::{Effort, Ends, Quantity, Spring};
+use super::acting::{Effort, Ends, Magnitude, Spring};
 use super::expressions::{self, RATE};
 use super::fields::Fields;
 use super::mechanism::{self, Dimension, OutputKind, SpringId};
@@ -46,7 +46,7 @@ impl Resolver<'_> {
         docs: &[Attribute],
         name: &Option<Ident>,
         ends: &[Ident; 2],
-        fields: &Group,
+        fields: &GroupStatement,
     ) {
         let is_new = name.as_ref().is_none_or(|name| self.name_is_new(name).is_some());
         let spring = match self.is_between_bodies(ends) {
@@ -85,7 +85,7 @@ impl Resolver<'_> {
         None
     }
 
-    fn straight_spring(&mut self, names: &[Ident; 2], group: &Group) -> Option<Spring> {
+    fn straight_spring(&mut self, names: &[Ident; 2], group: &GroupStatement) -> Option<Spring> {
         let ends = self.two_points(names, "a spring is");
         let fields = self.fields(group, &BETWEEN_POINTS);
         let per_length = Dimension::FORCE.times(Dimension::LENGTH, -1);
@@ -127,14 +127,14 @@ impl Resolver<'_> {
         None
     }
 
-    fn torsion_spring(&mut self, names: &[Ident; 2], group: &Group) -> Option<Spring> {
+    fn torsion_spring(&mut self, names: &[Ident; 2], group: &GroupStatement) -> Option<Spring> {
         let ends = self.two_bodies(names, "a spring between links is");
         let fields = self.fields(group, &BETWEEN_BODIES);
         let stiffness =
             self.number_of_spring(&fields, "stiffness", "a stiffness", Dimension::TORQUE);
         let damping = self.damping(&fields, Dimension::TORQUE);
         let free = match fields.one("free_angle") {
-            None => Some(mechanism::Expr::zero()),
+            None => Some(mechanism::Scalar::zero()),
             Some(angle) => {
                 let fixed = self.changes_with_no_input(angle, "a free angle");
                 let angle = self.plain_angle(angle);
@@ -148,11 +148,11 @@ impl Resolver<'_> {
             ends: Ends::Bodies(ends?),
             stiffness: stiffness?,
             damping: damping?,
-            free: Quantity { value: free?, name: "free_angle".to_string() },
+            free: Magnitude { value: free?, name: "free_angle".to_string() },
         })
     }
 
-    fn damping(&mut self, fields: &Fields, stiffness: Dimension) -> Option<Quantity> {
+    fn damping(&mut self, fields: &Fields, stiffness: Dimension) -> Option<Magnitude> {
         let dimension = stiffness.times(Dimension::TIME, 1);
         self.number_of_spring(fields, "damping", "a damping", dimension)
     }
@@ -164,15 +164,15 @@ impl Resolver<'_> {
         field: &str,
         what: &str,
         dimension: Dimension,
-    ) -> Option<Quantity> {
+    ) -> Option<Magnitude> {
         match fields.one(field) {
             Some(value) => self.not_negative(value, dimension, what, field.to_string()),
-            None => Some(Quantity::zero()),
+            None => Some(Magnitude::zero()),
         }
     }
 
     /// A spring without stiffness and damping is none.
-    fn spring_does_something(&mut self, group: &Group, fields: &Fields) -> Option<()> {
+    fn spring_does_something(&mut self, group: &GroupStatement, fields: &Fields) -> Option<()> {
         if !fields.is_left_out("stiffness") || !fields.is_left_out("damping") {
             return Some(());
         }
@@ -187,7 +187,7 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         arguments: &[Expr],
-    ) -> Option<expressions::Quantity> {
+    ) -> Option<expressions::ResolvedExpr> {
         let about_forces = std::mem::take(&mut self.is_about_forces);
         let argument = match arguments {
             [argument] => self.argument_of_rate(argument),
@@ -209,7 +209,7 @@ impl Resolver<'_> {
         argument
     }
 
-    fn argument_of_rate(&mut self, argument: &Expr) -> Option<expressions::Quantity> {
+    fn argument_of_rate(&mut self, argument: &Expr) -> Option<expressions::ResolvedExpr> {
         let load = self.first(argument, &|resolver, part| match &part.kind {
             ExprKind::Name(name) if resolver.names.kind(name) == Some(Kind::Load) => true,
             _ => resolver.is_law(part, |reads| reads.load),
@@ -248,8 +248,8 @@ impl Resolver<'_> {
             return None;
         }
         let measure = quantity.measure.per_time();
-        let rate = mechanism::Expr::Rate(Box::new(quantity.turn()));
-        Some(expressions::Quantity::plain(measure, rate))
+        let rate = mechanism::Scalar::Rate(Box::new(quantity.turn()));
+        Some(expressions::ResolvedExpr::plain(measure, rate))
     }
 
     /// `shock.force`, `shock.length`; `clutch.torque`, `clutch.angle`.
@@ -262,8 +262,8 @@ impl Resolver<'_> {
         let (ends, own) = (spring.ends, spring.docs.clone());
         let field = format_ident!("{owner}_{member}", span = owner.span());
         let (value, dimension) = match ends {
-            Ends::Points(points) => (mechanism::Expr::Distance(points), Dimension::LENGTH),
-            Ends::Bodies(_) => (mechanism::Expr::Twist(id), Dimension::ANGLE),
+            Ends::Points(points) => (mechanism::Scalar::Distance(points), Dimension::LENGTH),
+            Ends::Bodies(_) => (mechanism::Scalar::Twist(id), Dimension::ANGLE),
         };
         let kind = OutputKind::Value { value, dimension };
         self.give(member.span(), field, &[docs, &own].concat(), kind);

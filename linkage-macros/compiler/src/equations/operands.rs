@@ -8,8 +8,8 @@ use crate::equations::parts::GroupScope;
 use crate::equations::symbol::Vector;
 use crate::equations::{guide, point};
 use crate::model::mechanism::{
-    Carrier, Expr, Group, GroupId, GuideDirection, GuideId, Joint, OutputKind, Placement, PointId,
-    Step, Through,
+    Carrier, Group, GroupId, GuideDirection, GuideId, Joint, OutputKind, Placement, PointId,
+    Scalar, Step, Through,
 };
 
 impl<'s> Kinematics<'s> {
@@ -56,7 +56,7 @@ impl<'s> Kinematics<'s> {
         }
     }
 
-    fn take_ground(&mut self, id: PointId, at: &[Expr; 2]) {
+    fn take_ground(&mut self, id: PointId, at: &[Scalar; 2]) {
         let at = self.jets(at);
         self.coordinates.insert((Carrier::Ground, id), at);
         self.set_point(id, PointMotion::fixed(Vector { x: at[0].value, y: at[1].value }));

@@ -8,7 +8,7 @@ use syn::ext::IdentExt;
 use super::dimension::Dimension;
 pub(crate) use super::effort::Effort;
 use super::expr::AngleSum;
-use super::expr::Expr;
+use super::expr::Scalar;
 use super::ids::{GuideId, InputId, LinkId, PointId};
 use super::incidence::{Carrier, Length};
 
@@ -16,7 +16,7 @@ use super::incidence::{Carrier, Length};
 #[derive(Default)]
 pub(crate) struct Dynamics {
     /// In ground axes; none unless written.
-    pub gravity: Option<[Expr; 2]>,
+    pub gravity: Option<[Scalar; 2]>,
     pub loads: Vec<Load>,
     /// The load that drives an input: what it is follows.
     pub pull: Option<Load>,
@@ -47,15 +47,15 @@ pub(crate) struct Load {
 
 pub(crate) struct Mass {
     pub place: MassPlace,
-    pub mass: Quantity,
+    pub mass: Magnitude,
     /// About the centre of mass; of a uniform bar it follows from mass and length.
-    pub inertia: Quantity,
+    pub inertia: Magnitude,
 }
 
 /// A mass, an inertia or a number of a spring: no input changes it, and of all but the free angle
 /// no parameter may make it negative.
-pub(crate) struct Quantity {
-    pub value: Expr,
+pub(crate) struct Magnitude {
+    pub value: Scalar,
     /// The name in errors.
     pub name: String,
 }
@@ -66,21 +66,21 @@ pub(crate) enum MassPlace {
     /// At a point of the link.
     Point(LinkId, PointId),
     /// At coordinates of the link's frame.
-    At(LinkId, [Expr; 2]),
+    At(LinkId, [Scalar; 2]),
     /// A bar of this length.
-    Uniform(LinkId, Expr),
+    Uniform(LinkId, Scalar),
 }
 
 pub(crate) enum Force {
     At {
         point: PointId,
-        value: [Expr; 2],
+        value: [Scalar; 2],
         axes: Axes,
     },
     /// Positive pushes the points apart.
     Between {
         points: [PointId; 2],
-        value: Expr,
+        value: Scalar,
     },
 }
 
@@ -95,7 +95,7 @@ pub(crate) enum Axes {
 pub(crate) struct Torque {
     pub on: Carrier,
     pub against: Option<Carrier>,
-    pub value: Expr,
+    pub value: Scalar,
 }
 
 /// A spring and damper, with the names that errors have for its numbers.
@@ -103,10 +103,10 @@ pub(crate) struct Spring {
     pub name: Option<Ident>,
     pub docs: Vec<Attribute>,
     pub ends: Ends,
-    pub stiffness: Quantity,
-    pub damping: Quantity,
+    pub stiffness: Magnitude,
+    pub damping: Magnitude,
     /// The length or the angle at which it is slack.
-    pub free: Quantity,
+    pub free: Magnitude,
 }
 
 /// The two ends of a spring.
@@ -123,9 +123,9 @@ pub(crate) struct Stop {
     pub docs: Vec<Attribute>,
     pub of: Stopped,
     /// The lower end and the upper one.
-    pub ends: [Expr; 2],
-    pub stiffness: Quantity,
-    pub damping: Quantity,
+    pub ends: [Scalar; 2],
+    pub stiffness: Magnitude,
+    pub damping: Magnitude,
 }
 
 /// The motion that a stop ends.
@@ -149,9 +149,9 @@ impl Stopped {
 pub(crate) struct Friction {
     pub contact: Contact,
     /// Couple over radius and load, or force over load.
-    pub coefficient: Quantity,
+    pub coefficient: Magnitude,
     /// Radius of a pin.
-    pub radius: Option<Quantity>,
+    pub radius: Option<Magnitude>,
     /// Length of a block that touches its guide at both ends.
     pub length: Option<Length>,
     /// The slip by which the sign of the slip is smoothed.
@@ -211,7 +211,7 @@ pub(crate) struct RequestedEffort {
 
 /// An output that is a number made of efforts, rates and loads.
 pub(crate) struct Formula {
-    pub value: Expr,
+    pub value: Scalar,
     pub dimension: Dimension,
     /// The efforts that it reads.
     pub reads: Vec<Effort>,

@@ -9,7 +9,7 @@ use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{
     Field, Record, RecordId, RecordKind, Shape, Subject, field, own_field, record,
 };
-use crate::model::dynamics::{Effort, RequestedEffort};
+use crate::model::acting::{Effort, RequestedEffort};
 use crate::model::mechanism::Mechanism;
 
 /// The shape of an effort in the result.

@@ -5,10 +5,10 @@ use proc_macro2::TokenStream;
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
-use crate::interface::forces::path;
+use crate::interface::force_records::path;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
-use crate::model::dynamics::{Effort, Ends, Load, RequestedEffort};
+use crate::model::acting::{Effort, Ends, Load, RequestedEffort};
 use crate::model::mechanism::{
     Body, Carrier, Dimension, Drive, LinkId, Mechanism, PointId, SpringId, StopId,
 };
