@@ -82,3 +82,21 @@ impl Neg for Complex {
         Self::new(-self.x, -self.y)
     }
 }
+
+/// The place of a body seen from the drawing: z ↦ shift + turn z.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Displaced {
+    pub shift: Complex,
+    pub turn: Complex,
+}
+
+impl Displaced {
+    pub(super) fn of(self, place: Complex) -> Complex {
+        self.shift + self.turn * place
+    }
+
+    /// The motion with this turning that brings a place of the drawing to another.
+    pub(super) fn taking(from: Complex, to: Complex, turn: Complex) -> Self {
+        Self { shift: to - turn * from, turn }
+    }
+}

@@ -3,30 +3,12 @@
 use super::cutting::{Dyad, Found, Pair, SearchedGroup};
 use super::limits::sine;
 use super::machine::{GROUND, Held, Machine};
-use super::plane::{Complex, root};
+use super::plane::{Complex, Displaced, root};
 
 #[cfg(test)]
 thread_local! {
     /// The count of residuals that were computed, by which tests bound the work of a cut.
     pub(crate) static RESIDUALS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
-}
-
-/// The place of a body seen from the drawing: z ↦ shift + turn z.
-#[derive(Clone, Copy, Debug)]
-struct Displaced {
-    shift: Complex,
-    turn: Complex,
-}
-
-impl Displaced {
-    fn of(self, place: Complex) -> Complex {
-        self.shift + self.turn * place
-    }
-
-    /// The motion with this turning that brings a place of the drawing to another.
-    fn taking(from: Complex, to: Complex, turn: Complex) -> Self {
-        Self { shift: to - turn * from, turn }
-    }
 }
 
 /// The changes of drives, lengths and unknowns from the drawing.
