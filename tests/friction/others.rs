@@ -69,5 +69,5 @@ fn told() {
 #[test]
 fn gas_spring() {
     let f = GasSpring::new().forces(0.38, 0.0, 0.0).unwrap();
-    close(-f.x.drive, 1316.382_204_334_237_413);
+    close(-f.x.drive, 1_316.382_204_334_237_413);
 }
