@@ -3,6 +3,7 @@
 //! Numbers have thirty digits and come from their closed forms.
 
 use linkage_core::mechanism;
+use linkage_tests::mechanisms::told::Trolley;
 
 mechanism! {
     /// A band about 270° of a drum, its slack side drawn by 100 N.
@@ -12,20 +13,6 @@ mechanism! {
         ground A(0, 0);
         crank drum(A) { angle: theta }
         torque -(grip - 1) * 100N * 0.2m * sign(rate(theta)) on drum;
-    }
-}
-
-mechanism! {
-    /// A load on a rope below a trolley.
-    pub struct Crane {
-        input x: length;
-        input sway: angle;
-        guide rail through (0, 0) along 0deg;
-        slider trolley(rail) -> T { slide: x }
-        crank rope(T) -> L { length: 3m, angle: sway - 90deg }
-        gravity (0, -9.81(m/s^2));
-        mass 200kg on trolley at (0, 0);
-        mass 80kg on L;
     }
 }
 
@@ -57,11 +44,12 @@ fn band() {
 #[test]
 fn told() {
     let sway = -1.189_262_923_245_221_815;
-    let f = Crane::new().forces([2.0, 0.3], [0.5, -0.4], [0.7, sway]).unwrap();
+    let f = Trolley::new().forces([2.0, 0.3], [0.5, -0.4], [0.7, sway]).unwrap();
     close(f.x.drive, -88.023_079_713_478_306_172);
     // The couple is a difference of some 80 kg · 9.81 m/s² · 3 m.
     assert!(f.sway.drive.abs() < 1e-13 * 2400.0, "{}", f.sway.drive);
-    let second = Crane::new().forward_dynamics([2.0, 0.3], [0.5, -0.4], [f.x.drive, 0.0]).unwrap();
+    let second =
+        Trolley::new().forward_dynamics([2.0, 0.3], [0.5, -0.4], [f.x.drive, 0.0]).unwrap();
     close(second[1], sway);
     close(second[0], 0.7);
 }
