@@ -1,4 +1,4 @@
-//! Vectors of the plane as complex numbers: a product turns and stretches.
+//! Vectors and displacements of the plane as complex numbers: a product turns and stretches.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

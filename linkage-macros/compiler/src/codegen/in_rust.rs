@@ -254,18 +254,15 @@ impl Dialect for InRust<'_> {
     }
 }
 
-/// The amounts that straight-line code has found, and what shows it. One that nothing needs is where its steps
-/// begin.
+/// The amounts that straight-line code has found, and what shows it.
 fn straight_amounts(
     printer: &Printer<'_, InRust<'_>>,
-    StraightAmounts { amounts, positive, small }: &StraightAmounts,
+    straight: &StraightAmounts,
     starts: &[Id],
     to: &mut Text,
 ) {
-    to.put("straight_amounts([");
-    to.list(amounts.iter().zip(starts), |to, (amount, start)| {
-        printer.value(amount.unwrap_or(*start), to);
-    });
+    let StraightAmounts { positive, small, .. } = straight;
+    printer.values(&straight.found(starts), to.put("straight_amounts(["));
     printer.values(positive, to.put("], ["));
     to.put("], [").list(small, |to, pair| {
         printer.values(pair, to.put("["));

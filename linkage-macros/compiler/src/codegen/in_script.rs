@@ -127,10 +127,9 @@ impl Dialect for InScript<'_> {
         });
         let names = list(joints.iter().map(|(joint, _)| joint));
         to.put(&format!("], {}, {names}", amounts.guides()));
-        if let Some(StraightAmounts { amounts, positive, small }) = straight {
-            // One that nothing needs is where its steps begin.
-            let found = amounts.iter().zip(starts).map(|(amount, start)| amount.unwrap_or(*start));
-            printer.values(&found.collect::<Vec<_>>(), to.put(", ["));
+        if let Some(straight) = straight {
+            let StraightAmounts { positive, small, .. } = straight;
+            printer.values(&straight.found(starts), to.put(", ["));
             printer.values(positive, to.put("], ["));
             to.put("], [").list(small, |to, pair| {
                 printer.values(pair, to.put("["));

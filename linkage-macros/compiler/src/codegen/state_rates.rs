@@ -23,9 +23,17 @@ fn state(cx: &Context<'_>) -> [Vec<Ident>; 3] {
     ["q", "v", "a"].map(named)
 }
 
-/// The names of rates in errors: one that moves no second rate is asked for nowhere else.
-fn titles_of_rates(cx: &Context<'_>) -> impl Iterator<Item = String> {
-    cx.mechanism.inputs.iter().map(|input| format!("{}_rate", text(&input.name)))
+/// Refuses rates that are not finite: one that moves no second rate is asked for nowhere else.
+fn rates_are_finite(cx: &Context<'_>, rates: &[Ident]) -> TokenStream {
+    let scalar = &cx.names.scalar;
+    let [result, error] = ["Result", "SolveError"].map(|item| cx.paths.item(item));
+    let inputs = &cx.mechanism.inputs;
+    let titles = inputs.iter().map(|input| format!("{}_rate", text(&input.name)));
+    quote! {
+        #(if !#scalar::is_finite(#rates) {
+            return #result::Err(#error::NotFinite { name: #titles });
+        })*
+    }
 }
 
 fn state_rates(cx: &Context<'_>) -> TokenStream {
@@ -53,7 +61,7 @@ fn state_rates(cx: &Context<'_>) -> TokenStream {
         "The rates of a state, values and rates of the inputs: rates and second rates, what an \
          integrator takes.\n\n# Errors\nThose of `{title}`.",
     ));
-    let titles = titles_of_rates(cx);
+    let rates_are_finite = rates_are_finite(cx, &rates);
     quote! {
         impl<#scalar: #real> #solver<#scalar> {
             #docs
@@ -64,9 +72,7 @@ fn state_rates(cx: &Context<'_>) -> TokenStream {
                 #(#declared),*
             ) -> #result<[#scalar; #states], #error> {
                 let #a = self.#forward(#q, #v, #(#own),*)?;
-                #(if !#scalar::is_finite(#rates) {
-                    return #result::Err(#error::NotFinite { name: #titles });
-                })*
+                #rates_are_finite
                 #ok([#(#rates,)* #(#seconds),*])
             }
         }
@@ -92,7 +98,7 @@ fn mixed(cx: &Context<'_>) -> TokenStream {
         ["Real", "Result", "SolveError", "Ok", "Given", "Mixed", "mixed_dynamics", "f64"]
             .map(|item| cx.paths.item(item));
     let [values, rates, _] = state(cx);
-    let titles = titles_of_rates(cx);
+    let rates_are_finite = rates_are_finite(cx, &rates);
     let [found, second_rates] = ["found_", "second_rates_"].map(generated);
     let seconds = (0..values.len()).map(Literal::usize_unsuffixed);
     let [docs, docs_of_rates] = docs_of_mixed();
@@ -119,9 +125,7 @@ fn mixed(cx: &Context<'_>) -> TokenStream {
             ) -> #result<[#scalar; #states], #error> {
                 let #second_rates =
                     self.mixed_dynamics([#(#values),*], [#(#rates),*], #told, #(#own),*)?.second_rates;
-                #(if !#scalar::is_finite(#rates) {
-                    return #result::Err(#error::NotFinite { name: #titles });
-                })*
+                #rates_are_finite
                 #ok([#(#rates,)* #(#second_rates[#seconds]),*])
             }
         }

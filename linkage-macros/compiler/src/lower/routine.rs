@@ -181,6 +181,12 @@ pub(crate) struct StraightAmounts {
 }
 
 impl StraightAmounts {
+    /// All amounts; one that nothing needs is where its steps begin.
+    pub(crate) fn found(&self, starts: &[Id]) -> Vec<Id> {
+        let found = self.amounts.iter().zip(starts);
+        found.map(|(amount, start)| amount.unwrap_or(*start)).collect()
+    }
+
     /// The values that the fast path reads.
     pub(crate) fn values(&self) -> impl Iterator<Item = &Id> {
         let amounts = self.amounts.iter().flatten();

@@ -258,10 +258,10 @@ impl Dynamics {
         masses || forces || springs || stops
     }
 
-    /// Asks for no effort that follows from reactions.
-    pub(super) fn keep_what_is_of_power(&mut self) {
-        let asked = std::mem::take(&mut self.asked);
-        self.asked = asked.into_iter().filter(|asked| self.is_of_power(asked.effort)).collect();
+    /// The same requests without efforts that follow from reactions.
+    pub(super) fn what_is_of_power(&self, mut asked: Vec<RequestedEffort>) -> Vec<RequestedEffort> {
+        asked.retain(|asked| self.is_of_power(asked.effort));
+        asked
     }
 
     /// True if the effort follows from the power of all that acts, without any reaction.

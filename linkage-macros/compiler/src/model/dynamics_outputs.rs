@@ -306,13 +306,11 @@ impl Resolver<'_> {
         });
         let springs: Vec<_> = springs.chain(self.efforts_of_stops()).collect();
         let losses = self.losses_of_all();
-        let asked: Vec<RequestedEffort> =
+        let mut asked: Vec<RequestedEffort> =
             inputs.into_iter().chain(links).chain(springs).chain(losses).collect();
-        self.mechanism.dynamics.asked = asked;
         if !self.mechanism.equations_are_held() {
-            self.mechanism.dynamics.keep_what_is_of_power();
+            asked = self.mechanism.dynamics.what_is_of_power(asked);
         }
-        let asked = std::mem::take(&mut self.mechanism.dynamics.asked);
         for (nth, known) in asked.iter().enumerate() {
             let is_same =
                 |other: &&RequestedEffort| other.owner == known.owner && other.field == known.field;

@@ -33,7 +33,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::reactions::{Acting, Inner, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::acting::{Contact, Effort, Friction};
-use crate::model::mechanism::{Carrier, Group};
+use crate::model::mechanism::{Carrier, Group, Mechanism};
 use amount::Row;
 pub(super) use by_load::walked as walked_by_load;
 pub(super) use forward::accelerations;
@@ -64,6 +64,38 @@ struct Rubbing<'s> {
     way: Sym<'s>,
 }
 
+impl<'s> Rubbing<'s> {
+    /// The equation of its amount, given what presses it without friction and what a unit of each amount changes
+    /// in that.
+    fn row(
+        &self,
+        mechanism: &Mechanism,
+        free: [Sym<'s>; 2],
+        changes: impl Iterator<Item = [Sym<'s>; 2]>,
+    ) -> Row<'s> {
+        Row {
+            share: self.share,
+            free,
+            changes: changes.collect(),
+            is_guide: matches!(self.contact, Contact::Guide(_)),
+            joint: mechanism.contact_name(self.contact),
+        }
+    }
+}
+
+/// Reactions that press the contacts, as a walk has found them.
+fn pressed<'s>(walk: &Walk<'_, 's>, contacts: &[Rubbing<'s>]) -> Vec<[Sym<'s>; 2]> {
+    let of = |contact: &Rubbing<'s>| match (
+        contact.contact,
+        &walk.components(contact.contact.pressed_by())[..],
+    ) {
+        (Contact::Guide(_), &[normal, couple]) => [normal, contact.by_couple * couple],
+        (Contact::Pin { .. }, &[x, y]) => [x, y],
+        _ => unreachable!("a reaction has two components"),
+    };
+    contacts.iter().map(of).collect()
+}
+
 /// The slip of the link against the other body, and its rate.
 pub(in crate::equations) fn slip<'s>(state: &Kinematics<'s>, contact: Contact) -> [Sym<'s>; 2] {
     match contact {
@@ -79,7 +111,7 @@ pub(in crate::equations) fn slip<'s>(state: &Kinematics<'s>, contact: Contact) -
     }
 }
 
-impl<'s> Walk<'_, 's> {
+impl<'k, 's> Walk<'k, 's> {
     /// Puts the friction of a group's joints on the bodies that meet there.
     pub(super) fn rub(&mut self, group: &Group) {
         if matches!(self.rubs, Rubs::Never) {
@@ -93,17 +125,29 @@ impl<'s> Walk<'_, 's> {
         let changes: Vec<_> = (contacts.iter())
             .map(|contact| self.pressing(group, &self.unit(group, contact), &contacts))
             .collect();
-        let row = |(j, contact): (usize, &Rubbing<'s>)| Row {
-            share: contact.share,
-            free: free[j],
-            changes: changes.iter().map(|by| by[j]).collect(),
-            is_guide: matches!(contact.contact, Contact::Guide(_)),
-            joint: self.kinematics.mechanism.contact_name(contact.contact),
-        };
-        let rows: Vec<_> = contacts.iter().enumerate().map(row).collect();
+        let mechanism = self.kinematics.mechanism;
+        let rows = contacts
+            .iter()
+            .enumerate()
+            .map(|(j, contact)| contact.row(mechanism, free[j], changes.iter().map(|by| by[j])));
+        let rows: Vec<_> = rows.collect();
         for (contact, amount) in contacts.iter().zip(solved(&rows, group.id.0)) {
             self.brake(contact, amount);
         }
+    }
+
+    /// A walk under nothing but what `act` puts on it.
+    fn under(kinematics: &'k Kinematics<'s>, act: impl FnOnce(&mut Self)) -> Self {
+        let mut walk = Self::start(kinematics, Rubs::Never);
+        act(&mut walk);
+        walk.back();
+        walk
+    }
+
+    /// All contacts that rub.
+    fn contacts(&self) -> Vec<Rubbing<'s>> {
+        let groups = self.kinematics.mechanism.group_steps();
+        groups.flat_map(|group| self.contacts_of(group)).collect()
     }
 
     fn contacts_of(&self, group: &Group) -> Vec<Rubbing<'s>> {

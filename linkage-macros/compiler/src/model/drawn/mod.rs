@@ -89,13 +89,15 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     if cut.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
         messages::report_held_reactions(tree, &mechanism, diagnostics);
-        mechanism.dynamics.keep_what_is_of_power();
     }
     for RodEnd { block, link, .. } in &cut.ends {
         let blocks = mechanism.links.iter_mut().filter(|other| other.name == *block);
         blocks.for_each(|other| other.stands_for = Some(link.clone()));
     }
-    let asked = std::mem::take(&mut mechanism.dynamics.asked);
+    let mut asked = std::mem::take(&mut mechanism.dynamics.asked);
+    if cut.holds_links {
+        asked = mechanism.dynamics.what_is_of_power(asked);
+    }
     mechanism.dynamics.asked = ends::as_of_links(&cut.ends, asked);
     mechanism.outputs.retain(|output| !cut.hidden.contains(&output.field));
     for statement in &tree.statements {

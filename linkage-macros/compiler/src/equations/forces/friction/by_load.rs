@@ -11,15 +11,12 @@
 //! the equation of the [`system`](super::system), of the whole mechanism at once. Each part is a walk under nothing but
 //! itself; the last walk is under everything, with p and x known.
 
-use super::Rubbing;
-use super::amount::Row;
-use super::forward::pressing;
 use super::system::solved;
+use super::{Rubbing, pressed};
 use crate::equations::forces::pull;
 use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
-use crate::model::acting::Contact;
 
 /// Calls `f` with the walk under everything, and the load.
 pub(in crate::equations::forces) fn walked<'s, R>(
@@ -30,13 +27,10 @@ pub(in crate::equations::forces) fn walked<'s, R>(
     let mechanism = kinematics.mechanism;
     let (input, _) = mechanism.dynamics.driven().expect("a load drives");
     let idle = pull::under(kinematics, kinematics.builder.zero());
-    let contacts = contacts(&idle, rubs);
+    let contacts = Walk::start(&idle, rubs).contacts();
     let alone = |act: &dyn Fn(&mut Walk<'_, 's>)| {
-        let mut walk = Walk::start(&idle, Rubs::Never);
-        act(&mut walk);
-        walk.back();
-        let pressed = contacts.iter().map(|contact| pressing(&walk, contact));
-        (walk.input_efforts()[input.index()], pressed.collect::<Vec<_>>())
+        let walk = Walk::under(&idle, act);
+        (walk.input_efforts()[input.index()], pressed(&walk, &contacts))
     };
     let one = kinematics.builder.integer(1);
     let (effort, free) = alone(&|walk| walk.load());
@@ -53,13 +47,7 @@ pub(in crate::equations::forces) fn walked<'s, R>(
     let row = |(j, contact): (usize, &Rubbing<'s>)| {
         let changes =
             by_friction.iter().zip(&shares).map(|((_, by), share)| with(j, by[j], *share));
-        Row {
-            share: contact.share,
-            free: with(j, free[j], start),
-            changes: changes.collect(),
-            is_guide: matches!(contact.contact, Contact::Guide(_)),
-            joint: mechanism.contact_name(contact.contact),
-        }
+        contact.row(mechanism, with(j, free[j], start), changes)
     };
     let rows: Vec<_> = contacts.iter().enumerate().map(row).collect();
     let amounts = solved(&rows, 0);
@@ -74,10 +62,4 @@ pub(in crate::equations::forces) fn walked<'s, R>(
     walk.rubs = Rubs::Never;
     walk.back();
     f(&walk, load)
-}
-
-/// All contacts that rub.
-fn contacts<'s>(idle: &Kinematics<'s>, rubs: Rubs<'_, 's>) -> Vec<Rubbing<'s>> {
-    let walk = Walk::start(idle, rubs);
-    idle.mechanism.group_steps().flat_map(|group| walk.contacts_of(group)).collect()
 }

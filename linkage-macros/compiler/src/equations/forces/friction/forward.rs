@@ -15,14 +15,13 @@
 //! in which its drive leaves the band of the two creeps, and inside the band it stays: q̈ = 0. With several inputs
 //! it is not known what sticks, so signs have to be smooth there.
 
-use super::{Rubbing, slip};
+use super::{Rubbing, pressed, slip};
 use crate::equations::forces::dynamics::{Equations, drive_at};
 use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Id;
-use crate::model::acting::Contact;
 use crate::model::mechanism::Mechanism;
 
 use super::amount::Row;
@@ -78,8 +77,7 @@ fn contacts<'s>(
 ) -> Vec<Rubbing<'s>> {
     let (builder, mechanism) = (moving.builder, moving.mechanism);
     let walk = Walk::start(moving, Rubs::Never);
-    let mut contacts: Vec<_> =
-        mechanism.group_steps().flat_map(|group| walk.contacts_of(group)).collect();
+    let mut contacts = walk.contacts();
     let Some(start) = start else { return contacts };
     for contact in &mut contacts {
         if mechanism.dynamics.frictions[contact.friction].smooth.is_none() {
@@ -100,28 +98,16 @@ fn rows<'s>(
     braked: &[Vec<Sym<'s>>],
 ) -> Vec<Row<'s>> {
     let (builder, mechanism) = (kinematics.builder, kinematics.mechanism);
-    let mut free = Walk::start(still, Rubs::Never);
-    free.load();
-    free.back();
-    let pressed = |walk: &Walk<'_, 's>| -> Vec<[Sym<'s>; 2]> {
-        contacts.iter().map(|contact| pressing(walk, contact)).collect()
-    };
-    let free = pressed(&free);
+    let free = pressed(&Walk::under(still, |walk| walk.load()), contacts);
     // ∂G/∂q̈, by input.
     let by_inertia = (0..kinematics.inputs.len()).map(|input| {
         let state = InputMotion::one_starting(&kinematics.inputs, builder, input);
         let state = Kinematics::of(builder, mechanism, state);
-        let mut walk = Walk::start(&state, Rubs::Never);
-        walk.load_masses(builder.zero_vector());
-        walk.back();
-        pressed(&walk)
+        pressed(&Walk::under(&state, |walk| walk.load_masses(builder.zero_vector())), contacts)
     });
     let by_inertia: Vec<_> = by_inertia.collect();
     let by_friction = contacts.iter().map(|contact| {
-        let mut walk = Walk::start(still, Rubs::Never);
-        walk.brake(contact, builder.integer(1));
-        walk.back();
-        pressed(&walk)
+        pressed(&Walk::under(still, |walk| walk.brake(contact, builder.integer(1))), contacts)
     });
     let by_friction: Vec<_> = by_friction.collect();
     let with = |j: usize, start: [Sym<'s>; 2], second_rates: &[Sym<'s>]| {
@@ -131,24 +117,9 @@ fn rows<'s>(
     };
     let row = |(j, contact): (usize, &Rubbing<'s>)| {
         let changes = by_friction.iter().zip(braked).map(|(by, braked)| with(j, by[j], braked));
-        Row {
-            share: contact.share,
-            free: with(j, free[j], coasting),
-            changes: changes.collect(),
-            is_guide: matches!(contact.contact, Contact::Guide(_)),
-            joint: mechanism.contact_name(contact.contact),
-        }
+        contact.row(mechanism, with(j, free[j], coasting), changes)
     };
     contacts.iter().enumerate().map(row).collect()
-}
-
-/// The reaction at a contact that a walk has found.
-pub(super) fn pressing<'s>(walk: &Walk<'_, 's>, contact: &Rubbing<'s>) -> [Sym<'s>; 2] {
-    match (contact.contact, &walk.components(contact.contact.pressed_by())[..]) {
-        (Contact::Guide(_), &[normal, couple]) => [normal, contact.by_couple * couple],
-        (Contact::Pin { .. }, &[x, y]) => [x, y],
-        _ => unreachable!("a reaction has two components"),
-    }
 }
 
 /// The start of the only input from rest.

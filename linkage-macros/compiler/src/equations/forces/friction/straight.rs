@@ -94,8 +94,8 @@ fn sum<'s>(a: &[Sym<'s>], b: &[Sym<'s>]) -> Vec<Sym<'s>> {
     a.iter().zip(b).map(|(a, b)| *a + *b).collect()
 }
 
-fn product<'s>(a: &[Sym<'s>], b: &[Sym<'s>]) -> Sym<'s> {
-    let zero = a[0].builder().zero();
+/// The sum of products, from zero on.
+fn product<'s>(zero: Sym<'s>, a: &[Sym<'s>], b: &[Sym<'s>]) -> Sym<'s> {
     a.iter().zip(b).fold(zero, |sum, (a, b)| sum + *a * *b)
 }
 
@@ -175,7 +175,7 @@ impl<'s> Shifts<'s> {
             });
             let right = right.collect();
             let step = solve(matrix, right);
-            let after = found.iter().map(|own| own.size + product(&own.slope, &step));
+            let after = found.iter().map(|own| own.size + product(zero, &own.slope, &step));
             return (step.clone(), after.collect());
         }
         let column = |k: usize| self.by_size.iter().map(|by| by[k]).collect::<Vec<_>>();
@@ -183,7 +183,7 @@ impl<'s> Shifts<'s> {
         let matrix = (0..count).map(|j| (0..count).map(|k| by(j, k)).collect()).collect();
         let right = sizes.iter().zip(linear).map(|(size, linear)| *size - *linear).collect();
         let changes = solve(matrix, right);
-        let step = self.by_size.iter().map(|by| product(by, &changes)).collect();
+        let step = self.by_size.iter().map(|by| product(zero, by, &changes)).collect();
         (step, sum(linear, &changes))
     }
 
@@ -275,18 +275,13 @@ fn solve<'s>(mut matrix: Vec<Vec<Sym<'s>>>, mut right: Vec<Sym<'s>>) -> Vec<Sym<
             (first[0] * y - second[0] * x) * inverse,
         ];
     }
-    let count = right.len();
+    let (count, zero) = (right.len(), right[0].builder().zero());
     (0..count).for_each(|k| eliminate(&mut matrix, &mut right, k));
     for k in (0..count).rev() {
-        let known = product_from(&matrix[k], &right, k + 1);
+        let known = product(zero, &matrix[k][k + 1..], &right[k + 1..]);
         right[k] = (right[k] - known) / matrix[k][k];
     }
     right
-}
-
-fn product_from<'s>(row: &[Sym<'s>], known: &[Sym<'s>], from: usize) -> Sym<'s> {
-    let zero = known[0].builder().zero();
-    (from..known.len()).fold(zero, |sum, i| sum + row[i] * known[i])
 }
 
 /// Clears a column below its pivot.
