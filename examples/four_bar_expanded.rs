@@ -186,7 +186,7 @@ mod FourBar_ {
             #[must_use]
             pub const fn new() -> FourBar<f64>
             where
-                f64: private::Is<T>,
+                f64: private::SameAs<T>,
             {
                 FourBar { use_new_: PhantomData }
             }

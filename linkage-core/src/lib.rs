@@ -131,7 +131,6 @@ extern crate self as linkage_core;
 #[cfg(any(feature = "std", feature = "nalgebra", test))]
 extern crate std;
 
-mod absent;
 mod c_interface;
 mod chain_rule;
 mod checks;
@@ -172,8 +171,8 @@ mod slow_path;
 mod solver;
 mod sweep;
 mod tracker;
+mod unavailable;
 
-pub use absent::Inputs;
 pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost, SearchingForcesCost};
 pub use crossing::Trend;
 #[cfg(feature = "ad")]
@@ -193,6 +192,7 @@ pub use results::{
 pub use scalar::{Mask, Real, Scalar};
 pub use sweep::{LengthMismatch, Progress, Series, Status, unwanted};
 pub use tracker::Tracker;
+pub use unavailable::Inputs;
 
 #[cfg(feature = "nalgebra")]
 pub use nalgebra;

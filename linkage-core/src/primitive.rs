@@ -3,7 +3,7 @@
 use crate::kernels::arithmetic::Arithmetic;
 use crate::kernels::{self, Elementary, Float, Native};
 use crate::scalar::{elementary, root_of_squares};
-use crate::tracker::Enclosure;
+use crate::tracker::AffineForm;
 use crate::{LibraryFunction, Real, Scalar};
 
 /// The elementary functions of a single number.
@@ -134,11 +134,11 @@ macro_rules! scalar {
             }
 
             type Plain = Self;
-            type Enclosing = Enclosure<Self>;
+            type Enclosing = AffineForm<Self>;
 
             #[inline]
-            fn enclosing(self, radius: Self) -> Enclosure<Self> {
-                Enclosure::around(self, radius)
+            fn enclosing(self, radius: Self) -> AffineForm<Self> {
+                AffineForm::around(self, radius)
             }
         }
     };

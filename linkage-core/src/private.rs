@@ -17,7 +17,6 @@ pub use core::prelude::v1::derive;
 pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
-pub use crate::absent::*;
 pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
 pub use crate::checks::{AllMet, Checks, FirstError};
 pub use crate::clearance::{Clearance, told};
@@ -36,7 +35,7 @@ pub use crate::roots::unknown::{open, root, root_within_a_turn};
 pub use crate::scalar::is_finite_unless;
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{
-    Applied, Declared, Drawn, Film, Made, Member, Page, Paged, Plan, Sketch, Spring, applied,
+    Applied, Declared, Drawn, Element, Film, Member, Page, Paged, Plan, Sketch, Spring, applied,
     followed, place, place_open,
 };
 pub use crate::slow_path::{apart, diagnose, diagnose_all};
@@ -45,6 +44,7 @@ pub use crate::sweep::kinds::*;
 pub use crate::sweep::{
     Entry, LengthMismatch, Progress, Series, Status, put_found, put_solved, put_usable, sweep,
 };
+pub use crate::unavailable::*;
 pub use crate::with_ad_ as with_ad;
 pub use crate::with_serde_ as with_serde;
 pub use crate::with_sketch_ as with_sketch;

@@ -111,7 +111,7 @@ pub use page::Page;
 pub use page::{Declared, Paged};
 pub use plan::{Applied, Drawn};
 #[doc(hidden)]
-pub use plan::{Made, Plan, Spring, applied, followed, place, place_open};
+pub use plan::{Element, Plan, Spring, applied, followed, place, place_open};
 pub use sketch_error::SketchError;
 pub use still::{Sketch, Still};
 pub use style::{Palette, Theme, Unit};

@@ -22,7 +22,7 @@ mod passage;
 mod stretch;
 mod thresholds;
 
-pub(crate) use enclosure::Enclosure;
+pub(crate) use enclosure::AffineForm;
 
 use linear::Linear;
 use passage::Passage;

@@ -4,8 +4,8 @@ use std::vec;
 use std::vec::Vec;
 
 use super::member::{LinkShape, Member};
-use super::plan::Made;
-use super::scene::{Pose, Scene, Spot};
+use super::plan::Element;
+use super::scene::{Pose, Scene};
 use super::shapes::{Shape, skeleton, turned};
 use super::style::{BLOCK, OVERRUN};
 use super::svg::{Transform, View};
@@ -18,12 +18,12 @@ pub(super) struct Body {
     pub shapes: Vec<Shape>,
     pub seats: Vec<Option<Transform>>,
     /// The points that stand still on it, in its own pixels.
-    pub carries: Vec<(usize, Spot)>,
+    pub carries: Vec<(usize, [f64; 2])>,
 }
 
 impl Body {
     /// Lines that stand for it, on the page.
-    pub(super) fn lines(&self, frame: usize) -> Vec<Vec<Spot>> {
+    pub(super) fn lines(&self, frame: usize) -> Vec<Vec<[f64; 2]>> {
         let Some(seat) = self.seats[frame] else { return Vec::new() };
         let lines = self.shapes.iter().map(Shape::line);
         lines.map(|line| line.into_iter().map(|spot| seat.place(spot)).collect()).collect()
@@ -52,7 +52,7 @@ impl Maker<'_> {
         self.scene.frames().map(|frame| Some(self.view.seat(pose(frame)?))).collect()
     }
 
-    fn push(&mut self, link: usize, shapes: Vec<Shape>, carries: Vec<(usize, Spot)>) {
+    fn push(&mut self, link: usize, shapes: Vec<Shape>, carries: Vec<(usize, [f64; 2])>) {
         let seats = self.seats(|frame| self.scene.link(frame, link));
         self.bodies.push(Body { link: Some(link), shapes, seats, carries });
     }
@@ -64,7 +64,7 @@ impl Maker<'_> {
     }
 
     /// The points that stand still on a link.
-    fn points(&self, link: usize) -> Vec<(usize, Spot)> {
+    fn points(&self, link: usize) -> Vec<(usize, [f64; 2])> {
         let joints = self.scene.plan.statements.iter().flat_map(|made| made.joints());
         let own = joints.filter(|&(on, _)| on == link);
         own.filter_map(|(_, point)| {
@@ -74,7 +74,7 @@ impl Maker<'_> {
     }
 
     /// Every link of a group, what slides in another one last.
-    fn take(&mut self, statement: usize, made: Made) {
+    fn take(&mut self, statement: usize, made: Element) {
         let is_sleeve = |member: &Member| member.shape == LinkShape::Sleeve;
         let sleeve = made.members().map(|(_, member)| member).find(is_sleeve);
         let sleeve = sleeve.map(|member| member.link);
@@ -194,7 +194,7 @@ impl Maker<'_> {
         let beside = -k * offset.unwrap_or(0.0);
         let ends = [[(k * least - OVERRUN).min(0.0), beside], [k * most + OVERRUN, beside]];
         let joints = points.clone();
-        let is_aside = |spot: Spot| (spot[1] - beside).abs() > 1.0;
+        let is_aside = |spot: [f64; 2]| (spot[1] - beside).abs() > 1.0;
         let mut shapes = Vec::new();
         if is_aside([0.0; 2]) {
             shapes.push(Shape::Stub([[0.0; 2], [0.0, beside]]));
@@ -277,9 +277,9 @@ impl Maker<'_> {
     }
 
     /// The guides that lie still on a link, each tied to what is next to it.
-    fn add_guides(&self, link: usize, shapes: &mut Vec<Shape>, points: &[(usize, Spot)]) {
+    fn add_guides(&self, link: usize, shapes: &mut Vec<Shape>, points: &[(usize, [f64; 2])]) {
         for &made in self.scene.plan.statements {
-            let Made::Guide(guide, Some(on)) = made else { continue };
+            let Element::Guide(guide, Some(on)) = made else { continue };
             let lies = self.scene.guide_on_link(link, guide).filter(|_| on == link);
             let Some(lies) = lies else { continue };
             let seat = turned(self.view, lies);
@@ -300,7 +300,7 @@ impl Maker<'_> {
     fn take_the_rest(&mut self) {
         let scene = self.scene;
         for &made in scene.plan.statements {
-            if let Made::Guide(guide, carrier) = made {
+            if let Element::Guide(guide, carrier) = made {
                 let lies_still = match carrier {
                     Some(link) => scene.guide_on_link(link, guide).is_some(),
                     None => scene.still(guide).is_some(),
@@ -313,7 +313,7 @@ impl Maker<'_> {
                     self.bodies.insert(0, body);
                 }
             }
-            let Some(point) = made.point().filter(|_| !matches!(made, Made::Ground(_))) else {
+            let Some(point) = made.point().filter(|_| !matches!(made, Element::Ground(_))) else {
                 continue;
             };
             let is_carried = |body: &Body| body.carries.iter().any(|&(own, _)| own == point);
@@ -336,9 +336,9 @@ pub(super) fn guide_ends(scene: &Scene, view: View, guide: usize) -> [f64; 2] {
 }
 
 /// From the end of a line that is nearer to a point, to that point; nothing where one is on it.
-fn nearest(ends: [Spot; 2], points: &[(usize, Spot)]) -> Option<[Spot; 2]> {
-    let distance = |a: Spot, b: Spot| (a[0] - b[0]).hypot(a[1] - b[1]);
-    let foot = |spot: Spot| {
+fn nearest(ends: [[f64; 2]; 2], points: &[(usize, [f64; 2])]) -> Option<[[f64; 2]; 2]> {
+    let distance = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let foot = |spot: [f64; 2]| {
         let [a, b] = ends;
         let along = [b[0] - a[0], b[1] - a[1]];
         let square = along[0] * along[0] + along[1] * along[1];

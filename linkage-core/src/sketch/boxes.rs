@@ -1,12 +1,10 @@
 //! Boxes along the axes of the page, and what of a line is inside one.
 
-use super::scene::Spot;
-
 /// From the upper left corner to the lower right one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Box2 {
-    pub low: Spot,
-    pub high: Spot,
+    pub low: [f64; 2],
+    pub high: [f64; 2],
 }
 
 impl Box2 {
@@ -14,17 +12,18 @@ impl Box2 {
     pub(super) const NOTHING: Self = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
 
     /// The smallest that holds all of them.
-    pub(super) fn around(spots: impl IntoIterator<Item = Spot>) -> Self {
+    pub(super) fn around(spots: impl IntoIterator<Item = [f64; 2]>) -> Self {
         spots.into_iter().fold(Self::NOTHING, |all, spot| all.with(Self { low: spot, high: spot }))
     }
 
     /// About a middle.
-    pub(super) fn about([x, y]: Spot, half: Spot) -> Self {
+    pub(super) fn about([x, y]: [f64; 2], half: [f64; 2]) -> Self {
         Self { low: [x - half[0], y - half[1]], high: [x + half[0], y + half[1]] }
     }
 
     pub(super) fn with(self, other: Self) -> Self {
-        let both = |f: fn(f64, f64) -> f64, a: Spot, b: Spot| [f(a[0], b[0]), f(a[1], b[1])];
+        let both =
+            |f: fn(f64, f64) -> f64, a: [f64; 2], b: [f64; 2]| [f(a[0], b[0]), f(a[1], b[1])];
         Self {
             low: both(f64::min, self.low, other.low),
             high: both(f64::max, self.high, other.high),
@@ -36,7 +35,7 @@ impl Box2 {
         Self { low: low.map(|x| x - by), high: high.map(|x| x + by) }
     }
 
-    pub(super) fn size(self) -> Spot {
+    pub(super) fn size(self) -> [f64; 2] {
         [self.high[0] - self.low[0], self.high[1] - self.low[1]]
     }
 
@@ -44,7 +43,7 @@ impl Box2 {
         !(self.low[0] <= self.high[0] && self.low[1] <= self.high[1])
     }
 
-    pub(super) fn holds(self, [x, y]: Spot) -> bool {
+    pub(super) fn holds(self, [x, y]: [f64; 2]) -> bool {
         self.low[0] <= x && x <= self.high[0] && self.low[1] <= y && y <= self.high[1]
     }
 
@@ -57,7 +56,7 @@ impl Box2 {
     }
 
     /// The length of a line's part inside the box (Liang and Barsky).
-    pub(super) fn length_inside(self, [a, b]: [Spot; 2]) -> f64 {
+    pub(super) fn length_inside(self, [a, b]: [[f64; 2]; 2]) -> f64 {
         let is_aside = |axis: usize| {
             a[axis].max(b[axis]) < self.low[axis] || a[axis].min(b[axis]) > self.high[axis]
         };

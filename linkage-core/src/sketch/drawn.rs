@@ -7,7 +7,7 @@ use super::bodies::Body;
 use super::gaps::messages;
 use super::labels;
 use super::picture::{Picture, is_ground};
-use super::scene::Spot;
+
 use super::style::{FONT, HEADING, HEADING_LINE, JOINT, SMALL, text_width, wrapped};
 use super::svg::{Timing, escaped, pair, rigid, short};
 use super::{forces, springs, symbols, traces};
@@ -143,7 +143,7 @@ impl Picture<'_> {
     }
 
     /// A circle where links turn, a dot elsewhere.
-    fn joint(&self, point: usize, at: Spot) -> String {
+    fn joint(&self, point: usize, at: [f64; 2]) -> String {
         let (paper, ink) = (self.palette.paper, self.palette.ink);
         let at = pair(at);
         let (x, y) = at.split_once(' ').unwrap_or_default();

@@ -5,7 +5,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::boxes::Box2;
-use super::scene::{Scene, Spot};
+use super::scene::Scene;
 use super::sketch_error::SketchError;
 use super::style::Palette;
 use super::svg::{Timing, View, three_digits};
@@ -18,7 +18,7 @@ pub(super) struct Load {
     pub point: usize,
     kind: Kind,
     /// Its line on the page: from the point to the tip, or along the arc.
-    lines: Vec<Option<Vec<Spot>>>,
+    lines: Vec<Option<Vec<[f64; 2]>>>,
     /// Its size in every pose, in newtons or newton metres.
     sizes: Vec<f64>,
     /// The largest of its kind.
@@ -64,7 +64,7 @@ impl Load {
         let sizes = asked.forces.iter().flat_map(|(_, force)| force).map(|[x, y]| x.hypot(*y));
         let strongest = largest(sizes);
         let force = |(name, values): &(String, Vec<[f64; 2]>)| {
-            let draw = |at: Spot, [x, y]: [f64; 2]| {
+            let draw = |at: [f64; 2], [x, y]: [f64; 2]| {
                 let size = x.hypot(y);
                 let length = (size / strongest * LONGEST).max(SHORTEST);
                 (size, [at, [at[0] + x / size * length, at[1] - y / size * length]].into())
@@ -74,7 +74,7 @@ impl Load {
         let sizes = asked.couples.iter().flat_map(|(_, couple)| couple).map(|couple| couple.abs());
         let hardest = largest(sizes);
         let couple = |(name, values): &(String, Vec<f64>)| {
-            let draw = |at: Spot, couple: f64| {
+            let draw = |at: [f64; 2], couple: f64| {
                 let half = 0.5 * (couple.abs() / hardest * WIDEST).max(NARROWEST);
                 let step = -couple.signum() * half / f64::from(STEPS);
                 let degrees = (-STEPS..=STEPS).map(|nth| f64::from(nth) * step - 90.0);
@@ -90,7 +90,7 @@ impl Load {
         view: View,
         (name, values): (&str, &[V]),
         (kind, largest): (Kind, f64),
-        draw: impl Fn(Spot, V) -> (f64, Vec<Spot>),
+        draw: impl Fn([f64; 2], V) -> (f64, Vec<[f64; 2]>),
     ) -> Result<Self, SketchError> {
         let point = point(scene.plan, name)?;
         let of = |frame: usize| {
@@ -114,13 +114,13 @@ impl Load {
     }
 
     /// The sides of its line in a pose.
-    pub(super) fn sides(&self, frame: usize) -> impl Iterator<Item = [Spot; 2]> {
+    pub(super) fn sides(&self, frame: usize) -> impl Iterator<Item = [[f64; 2]; 2]> {
         let line = self.lines[frame].iter();
         line.flat_map(|line| line.windows(2).map(|ends| [ends[0], ends[1]]))
     }
 
     /// Where a value is written in a pose, and the value.
-    pub(super) fn value(&self, frame: usize) -> Option<(Spot, String)> {
+    pub(super) fn value(&self, frame: usize) -> Option<([f64; 2], String)> {
         let line = self.lines[frame].as_ref()?;
         let at = match self.kind {
             Kind::Force => *line.last()?,
@@ -129,7 +129,7 @@ impl Load {
         Some((at, self.kind.written(self.sizes[frame])))
     }
 
-    pub(super) fn shift(&mut self, by: Spot) {
+    pub(super) fn shift(&mut self, by: [f64; 2]) {
         let spots = self.lines.iter_mut().flatten().flatten();
         spots.for_each(|spot| *spot = [spot[0] + by[0], spot[1] + by[1]]);
     }

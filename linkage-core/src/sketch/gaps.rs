@@ -7,8 +7,8 @@ use std::vec::Vec;
 
 use super::boxes::Box2;
 use super::member::{LinkShape, Member};
-use super::plan::Made;
-use super::scene::{Scene, Spot};
+use super::plan::Element;
+use super::scene::Scene;
 use super::style::{Palette, Unit};
 use super::svg::{Timing, Transform, View, fine, rigid, three_digits};
 use super::symbols::moving_arrow;
@@ -21,7 +21,7 @@ pub(super) struct Gap {
     pub fails: Vec<bool>,
     reaches: Vec<SweptReach>,
     /// The missing line from one reach to the other, on the page.
-    missing: Vec<Option<[Spot; 2]>>,
+    missing: Vec<Option<[[f64; 2]; 2]>>,
 }
 
 /// The reach of a link.
@@ -35,7 +35,7 @@ struct SweptReach {
 /// Every statement that fails somewhere.
 pub(super) fn gaps(scene: &Scene, view: View) -> Vec<Gap> {
     let statements = scene.plan.statements.iter().enumerate();
-    let of = |(statement, &made): (usize, &Made)| {
+    let of = |(statement, &made): (usize, &Element)| {
         let fails: Vec<bool> = scene.frames().map(|f| fails(scene, f, statement)).collect();
         fails.contains(&true).then(|| gap(scene, view, statement, made, fails))
     };
@@ -49,7 +49,7 @@ fn fails(scene: &Scene, frame: usize, statement: usize) -> bool {
     })
 }
 
-fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>) -> Gap {
+fn gap(scene: &Scene, view: View, statement: usize, made: Element, fails: Vec<bool>) -> Gap {
     let circle = |link: usize, point: usize, nth: usize| SweptReach {
         link,
         seats: scene
@@ -97,14 +97,14 @@ fn gap(scene: &Scene, view: View, statement: usize, made: Made, fails: Vec<bool>
 }
 
 /// The shortest way from what the first link reaches to what the second one does.
-fn between(reaches: &[SweptReach], frame: usize) -> Option<[Spot; 2]> {
+fn between(reaches: &[SweptReach], frame: usize) -> Option<[[f64; 2]; 2]> {
     let [first, second] = reaches else { return None };
     let (a, b) = (first.seats[frame]?, second.seats[frame]?);
     let r = first.radii.as_ref()?[frame]?;
     let (dx, dy) = (b.at[0] - a.at[0], b.at[1] - a.at[1]);
     let d = dx.hypot(dy);
     let u = if d > 1e-9 { [dx / d, dy / d] } else { [1.0, 0.0] };
-    let from = |at: Spot, along: f64| [at[0] + along * u[0], at[1] + along * u[1]];
+    let from = |at: [f64; 2], along: f64| [at[0] + along * u[0], at[1] + along * u[1]];
     let Some(radii) = &second.radii else {
         // The line through b: its foot below a is b itself.
         return Some([from(a.at, r), b.at]);
@@ -135,7 +135,7 @@ impl Gap {
     }
 
     /// The missing line in a pose.
-    pub(super) fn line(&self, frame: usize) -> Option<[Spot; 2]> {
+    pub(super) fn line(&self, frame: usize) -> Option<[[f64; 2]; 2]> {
         self.missing[frame]
     }
 

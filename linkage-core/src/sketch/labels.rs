@@ -8,7 +8,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::boxes::Box2;
-use super::scene::Spot;
+
 use super::style::{FONT, JOINT, LABEL, Palette, has_descender, text_width};
 use super::svg::{Timing, Transform, escaped, pair, path, rigid};
 
@@ -16,25 +16,25 @@ use super::svg::{Timing, Transform, escaped, pair, path, rigid};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Obstacles {
     /// Lines and half their width.
-    pub lines: Vec<([Spot; 2], f64)>,
+    pub lines: Vec<([[f64; 2]; 2], f64)>,
     pub boxes: Vec<Box2>,
-    pub joints: Vec<Spot>,
+    pub joints: Vec<[f64; 2]>,
     /// Lines that a label may cover if it must.
-    pub traces: Vec<[Spot; 2]>,
+    pub traces: Vec<[[f64; 2]; 2]>,
 }
 
 /// A name and where its joint is in every pose.
 #[derive(Clone, Debug)]
 pub(super) struct Label {
     pub text: String,
-    pub at: Vec<Option<Spot>>,
+    pub at: Vec<Option<[f64; 2]>>,
     /// Its colour, where it is not that of names.
     pub colour: Option<&'static str>,
 }
 
 impl Label {
     /// Half the width and half the height of the text.
-    fn half(&self) -> Spot {
+    fn half(&self) -> [f64; 2] {
         [0.5 * LABEL * text_width(&self.text), 0.5 * LABEL * (RISE + self.descent())]
     }
 
@@ -56,8 +56,8 @@ const RISE: f64 = 0.73;
 pub(super) struct Placed {
     label: Label,
     /// From the joint to the middle of the text.
-    beside: Spot,
-    half: Spot,
+    beside: [f64; 2],
+    half: [f64; 2],
     /// In which poses nothing is in its way.
     free: Vec<bool>,
 }
@@ -68,7 +68,7 @@ impl Placed {
         (0..self.free.len()).filter_map(|pose| self.at(pose)).fold(Box2::NOTHING, Box2::with)
     }
 
-    pub(super) fn shift(&mut self, by: Spot) {
+    pub(super) fn shift(&mut self, by: [f64; 2]) {
         let at = self.label.at.iter_mut().flatten();
         at.for_each(|spot| *spot = [spot[0] + by[0], spot[1] + by[1]]);
     }
@@ -79,12 +79,12 @@ impl Placed {
         Some(Box2::about([x + self.beside[0], y + self.beside[1]], self.half))
     }
 
-    fn joint(&self, pose: usize) -> Option<Spot> {
+    fn joint(&self, pose: usize) -> Option<[f64; 2]> {
         *self.label.at.get(pose).or(self.label.at.first())?
     }
 
     /// The line to a label that stands far from its joint, as that sees it.
-    fn leader(&self) -> Option<[Spot; 2]> {
+    fn leader(&self) -> Option<[[f64; 2]; 2]> {
         let box2 = Box2::about(self.beside, self.half);
         let end = [0, 1].map(|axis| 0.0_f64.clamp(box2.low[axis], box2.high[axis]));
         let length = end[0].hypot(end[1]);
@@ -92,7 +92,7 @@ impl Placed {
         (length > FAR).then(|| [[start * end[0], start * end[1]], end])
     }
 
-    fn leader_at(&self, pose: usize) -> Option<[Spot; 2]> {
+    fn leader_at(&self, pose: usize) -> Option<[[f64; 2]; 2]> {
         let [x, y] = self.joint(pose)?;
         Some(self.leader()?.map(|[dx, dy]| [x + dx, y + dy]))
     }
@@ -123,8 +123,9 @@ impl Placed {
         };
         let fading = timing.map(|timing| timing.fading(&opacities)).unwrap_or_default();
         let [dx, dy] = [self.beside[0], self.beside[1] + self.label.baseline()];
-        let seat =
-            |at: &Option<Spot>| at.map(|[x, y]| Transform { at: [x + dx, y + dy], degrees: 0.0 });
+        let seat = |at: &Option<[f64; 2]>| {
+            at.map(|[x, y]| Transform { at: [x + dx, y + dy], degrees: 0.0 })
+        };
         let seats: Vec<_> = self.label.at.iter().map(seat).collect();
         let text = escaped(&self.label.text);
         let colour =
@@ -145,7 +146,7 @@ impl Placed {
 }
 
 /// From a joint to its name.
-fn leader(ends: [Spot; 2], palette: &Palette) -> String {
+fn leader(ends: [[f64; 2]; 2], palette: &Palette) -> String {
     format!(
         r#"<path d="{}" fill="none" stroke="{}" stroke-width="1"/>"#,
         path(&ends, false),
@@ -203,7 +204,7 @@ pub(super) fn place(labels: Vec<Label>, obstacles: &[Obstacles]) -> Vec<Placed> 
 const SAMPLES: usize = 24;
 
 /// Twelve directions at seven distances, from the upper right on, and what speaks against each.
-fn places(half: Spot) -> impl Iterator<Item = (Spot, f64)> {
+fn places(half: [f64; 2]) -> impl Iterator<Item = ([f64; 2], f64)> {
     let directions = [-45, -135, 45, 135, 0, 180, -90, 90, -20, -160, 20, 160_i32];
     let near = [(JOINT + 4.5, 0.0), (JOINT + 12.0, 2.5), (JOINT + 20.0, 6.0)];
     let far =
@@ -251,13 +252,14 @@ fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Place
     let Obstacles { lines, boxes, joints, .. } = &obstacles[pose];
     let leader = label.leader_at(pose);
     let crosses = |other: Box2| leader.is_some_and(|line| other.length_inside(line) > 0.0);
-    let is_own = |joint: Spot| (joint[0] - own[0]).hypot(joint[1] - own[1]) < 0.5;
-    let on_joint = |&joint: &Spot| {
+    let is_own = |joint: [f64; 2]| (joint[0] - own[0]).hypot(joint[1] - own[1]) < 0.5;
+    let on_joint = |&joint: &[f64; 2]| {
         let circle = || Box2::about(joint, [JOINT; 2]);
         !is_own(joint) && (covered.grown(JOINT + CLEAR).holds(joint) || crosses(circle()))
     };
-    let on_line =
-        |&(line, width): &([Spot; 2], f64)| covered.grown(width + CLEAR).length_inside(line) > 0.0;
+    let on_line = |&(line, width): &([[f64; 2]; 2], f64)| {
+        covered.grown(width + CLEAR).length_inside(line) > 0.0
+    };
     let on_label = |other: &Placed| {
         let covers = |box2: Box2| covered.overlap(box2.grown(CLEAR)) > 0.0 || crosses(box2);
         other.at(pose).is_some_and(covers)

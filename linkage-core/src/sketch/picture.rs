@@ -10,8 +10,8 @@ use super::gaps::{Gap, gaps};
 use super::labels::Placed;
 use super::member::LinkShape;
 use super::options::Options;
-use super::plan::Made;
-use super::scene::{Scene, Spot};
+use super::plan::Element;
+use super::scene::Scene;
 use super::sketch_error::SketchError;
 use super::springs::{Coil, below, springs, wall_box};
 use super::style::{HEADING, HEADING_LINE, HEIGHT, MARGIN, Palette, text_width, wrapped};
@@ -31,12 +31,12 @@ pub(super) struct Picture<'s> {
     pub(super) loads: Vec<Load>,
     pub(super) gaps: Vec<Gap>,
     pub(super) springs: Vec<Coil>,
-    pub(super) supports: Vec<(Spot, f64)>,
+    pub(super) supports: Vec<([f64; 2], f64)>,
     /// Where springs stand on walls, and which way these look.
-    pub(super) walls: Vec<(Spot, f64)>,
-    pub(super) arcs: Vec<(Spot, f64, bool)>,
+    pub(super) walls: Vec<([f64; 2], f64)>,
+    pub(super) arcs: Vec<([f64; 2], f64, bool)>,
     pub(super) labels: Vec<Placed>,
-    pub(super) page: Spot,
+    pub(super) page: [f64; 2],
     /// The lines of the heading.
     pub(super) heading: Vec<String>,
     /// Where the scale stands.
@@ -155,7 +155,7 @@ impl<'s> Picture<'s> {
     pub(super) fn rails(&self) -> Vec<(Transform, [f64; 2])> {
         let mut rails: Vec<(Transform, [f64; 2])> = Vec::new();
         for &made in self.scene.plan.statements {
-            let Made::Guide(guide, None) = made else { continue };
+            let Element::Guide(guide, None) = made else { continue };
             let Some(pose) = self.scene.still(guide) else { continue };
             let seat = self.view.seat(pose);
             let ends = guide_ends(self.scene, self.view, guide);
@@ -172,10 +172,10 @@ impl<'s> Picture<'s> {
 
     /// Each crank that an input turns against the ground: pivot, radius on the page, and the angles between
     /// which its pin moves, unless it makes full turns.
-    pub(super) fn cranks(&self) -> Vec<(Spot, f64, Option<[f64; 2]>)> {
+    pub(super) fn cranks(&self) -> Vec<([f64; 2], f64, Option<[f64; 2]>)> {
         let scene = self.scene;
-        let of = |&made: &Made| {
-            let (Made::Group(_, Some(pin)), Some(crank)) = (made, made.turned()) else {
+        let of = |&made: &Element| {
+            let (Element::Group(_, Some(pin)), Some(crank)) = (made, made.turned()) else {
                 return None;
             };
             let pivot = crank.pivot().filter(|_| crank.shape == LinkShape::Bar)?;
@@ -214,8 +214,8 @@ impl<'s> Picture<'s> {
         self.page = [(right - low[0]).max(least), self.line + BELOW];
     }
 
-    fn shift(&mut self, by: Spot) {
-        let moved = |at: Spot| [at[0] + by[0], at[1] + by[1]];
+    fn shift(&mut self, by: [f64; 2]) {
+        let moved = |at: [f64; 2]| [at[0] + by[0], at[1] + by[1]];
         self.view.origin = moved(self.view.origin);
         self.bodies = bodies(self.scene, self.view);
         self.springs = springs(self.scene, self.view);
@@ -259,14 +259,14 @@ fn join(rails: &mut Vec<(Transform, [f64; 2])>, seat: Transform, [start, end]: [
 
 /// True if a point belongs to the ground.
 pub(super) fn is_ground(scene: &Scene, point: usize) -> bool {
-    scene.plan.statements.iter().any(|made| matches!(made, Made::Ground(own) if *own == point))
+    scene.plan.statements.iter().any(|made| matches!(made, Element::Ground(own) if *own == point))
 }
 
 /// The points at which links turn against each other.
 pub(super) fn revolutes(scene: &Scene) -> Vec<usize> {
     let statements = scene.plan.statements.iter();
     let turning = statements.flat_map(|made| {
-        let pin = made.point().filter(|_| !matches!(made, Made::Ground(_) | Made::Point(..)));
+        let pin = made.point().filter(|_| !matches!(made, Element::Ground(_) | Element::Point(..)));
         made.outer().into_iter().chain(pin)
     });
     let mut points: Vec<usize> = turning.collect();

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::boxes::Box2;
 use super::labels::{self, Label, Obstacles};
 use super::picture::{Picture, is_ground, revolutes};
-use super::scene::Spot;
+
 use super::sketch_error::SketchError;
 use super::springs::{Coil, wall_box};
 use super::style::JOINT;
@@ -36,7 +36,7 @@ impl Picture<'_> {
         let mut pivots = self.pivots();
         pivots.retain(|&point| is_ground(scene, point));
         let pivots = pivots.into_iter();
-        let pivots: Vec<Spot> =
+        let pivots: Vec<[f64; 2]> =
             pivots.filter_map(|point| Some(self.view.pixels(scene.point(0, point)?))).collect();
         let obstacles = self.obstacles_in(&samples);
         for &at in &pivots {
@@ -103,7 +103,7 @@ impl Picture<'_> {
                 let covered = Box2::around(points.iter().copied()).grown(3.0);
                 let lines = obstacles.iter().flat_map(|pose| &pose.lines);
                 let lines: f64 = lines.map(|&(line, _)| covered.length_inside(line)).sum();
-                let in_box = |spot: &&Spot| boxes.iter().any(|b| b.grown(3.0).holds(**spot));
+                let in_box = |spot: &&[f64; 2]| boxes.iter().any(|b| b.grown(3.0).holds(**spot));
                 // Links pass, supports stay.
                 3.0 * lines / obstacles.len() as f64
                     + 30.0 * points.iter().filter(in_box).count() as f64
@@ -180,7 +180,7 @@ impl Picture<'_> {
         let is_traced = |point: &usize| self.traces.iter().any(|trace| trace.point == *point);
         let label = |&point: &usize| {
             let at = frames.iter().map(|&f| Some(self.view.pixels(scene.point(f, point)?)));
-            let mut at: Vec<Option<Spot>> = at.collect();
+            let mut at: Vec<Option<[f64; 2]>> = at.collect();
             let first = at[0];
             if first.is_some() && at.iter().all(|spot| *spot == first) {
                 at.truncate(1);

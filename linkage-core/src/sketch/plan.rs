@@ -48,7 +48,7 @@ pub struct Plan {
     /// The guides' names.
     pub guides: &'static [&'static str],
     /// The statements that place them, in solving order.
-    pub statements: &'static [Made],
+    pub statements: &'static [Element],
     /// Springs and dampers between two points.
     pub springs: &'static [Spring],
 }
@@ -71,7 +71,7 @@ pub struct Spring {
 
 /// A statement.
 #[derive(Clone, Copy, Debug)]
-pub enum Made {
+pub enum Element {
     /// A fixed point.
     Ground(usize),
     /// A guide, and the link that carries it.
@@ -82,7 +82,7 @@ pub enum Made {
     Group(&'static [Member], Option<usize>),
 }
 
-impl Made {
+impl Element {
     /// The links that it makes, each with the place of its first length or offset.
     pub(super) fn members(self) -> impl Iterator<Item = (usize, Member)> {
         let members = match self {
@@ -154,9 +154,9 @@ impl Made {
 
 impl Plan {
     /// The name that errors give to the group of a statement.
-    pub(super) fn title(&self, made: Made) -> String {
+    pub(super) fn title(&self, made: Element) -> String {
         match (made, &made.links()[..]) {
-            (Made::Point(point, None), _) => self.points[point].into(),
+            (Element::Point(point, None), _) => self.points[point].into(),
             (_, links) => {
                 let names: Vec<&str> = links.iter().map(|&link| self.links[link]).collect();
                 names.join(", ")

@@ -3,29 +3,26 @@
 use std::vec;
 use std::vec::Vec;
 
-use super::plan::{Layout, Made, Plan};
+use super::plan::{Element, Layout, Plan};
 use crate::SolveError;
-
-/// A point in metres in ground axes, or in a link's.
-pub(super) type Spot = [f64; 2];
 
 /// Origin and unit vector along x, in ground axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pose {
-    pub origin: Spot,
+    pub origin: [f64; 2],
     pub cos: f64,
     pub sin: f64,
 }
 
 impl Pose {
     /// Where a place of the frame is in ground axes.
-    pub(super) fn place(self, [x, y]: Spot) -> Spot {
+    pub(super) fn place(self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [ox, oy] = self.origin;
         [ox + self.cos * x - self.sin * y, oy + self.sin * x + self.cos * y]
     }
 
     /// Where a place of the ground is in the frame.
-    pub(super) fn local(self, [x, y]: Spot) -> Spot {
+    pub(super) fn local(self, [x, y]: [f64; 2]) -> [f64; 2] {
         let (x, y) = (x - self.origin[0], y - self.origin[1]);
         [self.cos * x + self.sin * y, self.cos * y - self.sin * x]
     }
@@ -39,7 +36,7 @@ impl Pose {
         }
     }
 
-    pub(super) fn moved_to(self, origin: Spot) -> Self {
+    pub(super) fn moved_to(self, origin: [f64; 2]) -> Self {
         Self { origin, ..self }
     }
 }
@@ -122,7 +119,7 @@ impl Scene {
                 frame.points[point] =
                     stands && has_links && are_finite(&frame.numbers, 2 * point, 2);
             }
-            if let Made::Guide(guide, _) = made {
+            if let Element::Guide(guide, _) = made {
                 let at = self.layout.guides + 4 * guide;
                 frame.guides[guide] = stands && are_finite(&frame.numbers, at, 4);
             }
@@ -153,7 +150,7 @@ impl Scene {
         Self { frames: self.frames.iter().chain(back).cloned().collect(), ..*self }
     }
 
-    pub(super) fn point(&self, frame: usize, point: usize) -> Option<Spot> {
+    pub(super) fn point(&self, frame: usize, point: usize) -> Option<[f64; 2]> {
         let frame = &self.frames[frame];
         let at = 2 * point;
         frame.points[point].then(|| [frame.numbers[at], frame.numbers[at + 1]])
@@ -182,7 +179,7 @@ impl Scene {
     }
 
     /// Where a point is on a link, if it stands still there.
-    pub(super) fn on_link(&self, link: usize, point: usize) -> Option<Spot> {
+    pub(super) fn on_link(&self, link: usize, point: usize) -> Option<[f64; 2]> {
         constant(self.frames().map(|f| Some(self.link(f, link)?.local(self.point(f, point)?))))
     }
 
@@ -228,11 +225,12 @@ pub(super) fn range(values: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2
 }
 
 /// The spot that all known spots share, to a billionth of its size; none if they differ.
-fn constant(mut seen: impl Iterator<Item = Option<Spot>>) -> Option<Spot> {
+fn constant(mut seen: impl Iterator<Item = Option<[f64; 2]>>) -> Option<[f64; 2]> {
     let first = seen.by_ref().flatten().next()?;
     let size = 1e-9 * (first[0].abs() + first[1].abs()) + 1e-12;
-    let is_near =
-        |other: Spot| (other[0] - first[0]).abs() <= size && (other[1] - first[1]).abs() <= size;
+    let is_near = |other: [f64; 2]| {
+        (other[0] - first[0]).abs() <= size && (other[1] - first[1]).abs() <= size
+    };
     seen.flatten().all(is_near).then_some(first)
 }
 

@@ -5,19 +5,19 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
-use super::scene::{Pose, Spot};
+use super::scene::Pose;
 use super::style::{BLOCK, Palette, TUBE};
 use super::svg::{Transform, View, fine, path, short};
 
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
-    Bar([Spot; 2]),
+    Bar([[f64; 2]; 2]),
     /// A body through three joints or more: their convex hull.
-    Hull(Vec<Spot>),
+    Hull(Vec<[f64; 2]>),
     /// A line that connects a part to the rest.
-    Stub([Spot; 2]),
+    Stub([[f64; 2]; 2]),
     /// A block along x.
-    Block(Spot),
+    Block([f64; 2]),
     /// From the origin along x.
     Tube(f64),
     /// From the origin backwards along x.
@@ -26,7 +26,7 @@ pub(super) enum Shape {
 
 impl Shape {
     /// A line that stands for it.
-    pub(super) fn line(&self) -> Vec<Spot> {
+    pub(super) fn line(&self) -> Vec<[f64; 2]> {
         match self {
             Self::Bar(ends) | Self::Stub(ends) => ends.into(),
             Self::Hull(corners) => corners.iter().chain(corners.first()).copied().collect(),
@@ -51,7 +51,7 @@ impl Shape {
     }
 
     pub(super) fn draw(&self, colour: &str, palette: &Palette) -> String {
-        let line = |ends: &[Spot; 2], width: &str| {
+        let line = |ends: &[[f64; 2]; 2], width: &str| {
             format!(r#"<path d="{}" stroke="{colour}" stroke-width="{width}"/>"#, path(ends, false))
         };
         let (paper, ink) = (palette.paper, palette.ink);
@@ -90,15 +90,15 @@ impl Shape {
 const TUBE_START: f64 = 8.0;
 
 /// A bar through points that lie on a line, the hull of others; nothing for less than two.
-pub(super) fn skeleton(points: &[(usize, Spot)]) -> Vec<Shape> {
-    let spots: Vec<Spot> = points.iter().map(|&(_, spot)| spot).collect();
-    let distance = |a: Spot, b: Spot| (a[0] - b[0]).hypot(a[1] - b[1]);
+pub(super) fn skeleton(points: &[(usize, [f64; 2])]) -> Vec<Shape> {
+    let spots: Vec<[f64; 2]> = points.iter().map(|&(_, spot)| spot).collect();
+    let distance = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     let pairs = spots.iter().flat_map(|&a| spots.iter().map(move |&b| [a, b]));
     let far = pairs.max_by(|a, b| distance(a[0], a[1]).total_cmp(&distance(b[0], b[1])));
     let Some([a, b]) = far.filter(|&[a, b]| distance(a, b) > 0.5) else { return Vec::new() };
     let length = distance(a, b);
     let beside =
-        |[x, y]: Spot| ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])).abs() / length;
+        |[x, y]: [f64; 2]| ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])).abs() / length;
     if spots.iter().all(|&spot| beside(spot) < 1.5) {
         return vec![Shape::Bar([a, b])];
     }
@@ -106,10 +106,10 @@ pub(super) fn skeleton(points: &[(usize, Spot)]) -> Vec<Shape> {
 }
 
 /// The corners of the convex hull, in turn (Andrew's monotone chain).
-fn hull(mut spots: Vec<Spot>) -> Vec<Spot> {
+fn hull(mut spots: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     spots.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let chain = |spots: &mut dyn Iterator<Item = Spot>| {
-        let mut chain: Vec<Spot> = Vec::new();
+    let chain = |spots: &mut dyn Iterator<Item = [f64; 2]>| {
+        let mut chain: Vec<[f64; 2]> = Vec::new();
         for spot in spots {
             while let [.., a, b] = chain[..] {
                 let turn = (b[0] - a[0]) * (spot[1] - a[1]) - (b[1] - a[1]) * (spot[0] - a[0]);

@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use super::boxes::Box2;
 use super::plan::Spring;
-use super::scene::{Scene, Spot, range};
+use super::scene::{Scene, range};
 use super::style::{BLOCK, DAMPER, Palette, WALL, ZIGZAG};
 use super::svg::{Timing, Transform, View, filled, fine, rigid, short};
 
@@ -38,7 +38,7 @@ impl Coil {
             Some([view.pixels(a?), view.pixels(b?)])
         };
         let (mut seats, mut lengths) = (Vec::new(), Vec::new());
-        let mut last: Option<Spot> = None;
+        let mut last: Option<[f64; 2]> = None;
         for frame in scene.frames() {
             let along = ends(frame).map(|[from, to]| {
                 let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
@@ -74,7 +74,7 @@ impl Coil {
     }
 
     /// From end to end.
-    pub(super) fn line(&self, frame: usize) -> Option<[Spot; 2]> {
+    pub(super) fn line(&self, frame: usize) -> Option<[[f64; 2]; 2]> {
         let (seat, length) = (self.seats[frame]?, self.lengths[frame]?);
         Some([seat.at, seat.place([length, 0.0])])
     }
@@ -167,11 +167,11 @@ impl Coil {
 /// of these springs along it; none if no spring lies on the guide.
 pub(super) fn below(springs: &[Coil], guide: Transform) -> Option<(f64, [f64; 2])> {
     let (sin, cos) = guide.degrees.to_radians().sin_cos();
-    let seen = |[x, y]: Spot| {
+    let seen = |[x, y]: [f64; 2]| {
         let (x, y) = (x - guide.at[0], y - guide.at[1]);
         [cos * x + sin * y, cos * y - sin * x]
     };
-    let spots = |coil: &Coil| -> Vec<Spot> {
+    let spots = |coil: &Coil| -> Vec<[f64; 2]> {
         let lines = (0..coil.seats.len()).filter_map(|frame| coil.line(frame));
         lines.flatten().map(seen).collect()
     };
@@ -207,7 +207,7 @@ fn damper(shortest: f64, longest: f64) -> [f64; 3] {
 }
 
 /// A plate with hatches behind it, upwards along the y of its seat's page.
-pub(super) fn wall(at: Spot, way: f64, palette: &Palette) -> String {
+pub(super) fn wall(at: [f64; 2], way: f64, palette: &Palette) -> String {
     let half = WALL / 2.0;
     let hatches = [-11, -4, 3, 10, 17].map(|x| format!("M{x} 0l-6 7")).concat();
     format!(
@@ -218,7 +218,7 @@ pub(super) fn wall(at: Spot, way: f64, palette: &Palette) -> String {
 }
 
 /// The box covered by a wall.
-pub(super) fn wall_box(at: Spot, way: f64) -> Box2 {
+pub(super) fn wall_box(at: [f64; 2], way: f64) -> Box2 {
     let (seat, half) = (Transform { at, degrees: way }, WALL / 2.0 + 1.0);
     let corners = vec![[-half, -1.0], [half, -1.0], [half, 8.0], [-half - 1.0, 8.0]];
     Box2::around(corners.into_iter().map(|spot| seat.place(spot)))
@@ -252,7 +252,7 @@ mod tests {
     }
 
     /// The corners of a path.
-    fn corners(path: &str) -> Vec<Spot> {
+    fn corners(path: &str) -> Vec<[f64; 2]> {
         let (mut corners, mut at) = (Vec::new(), [0.0; 2]);
         let starts = path.char_indices().filter(|(_, c)| c.is_ascii_alphabetic());
         let starts: Vec<usize> = starts.map(|(start, _)| start).collect();

@@ -4,7 +4,7 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use super::scene::{Pose, Spot};
+use super::scene::Pose;
 
 /// From metres in ground axes, y up, to pixels of the page, y down.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,7 @@ impl View {
     }
 
     /// A vector of a link's frame, in pixels of its group.
-    pub(super) fn local(self, [x, y]: Spot) -> Spot {
+    pub(super) fn local(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.scale * x, -self.scale * y]
     }
 
@@ -36,12 +36,12 @@ impl View {
 /// Where a rigid group is on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Transform {
-    pub at: Spot,
+    pub at: [f64; 2],
     pub degrees: f64,
 }
 
 impl Transform {
-    pub(super) fn place(self, [x, y]: Spot) -> Spot {
+    pub(super) fn place(self, [x, y]: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = self.degrees.to_radians().sin_cos();
         [self.at[0] + cos * x - sin * y, self.at[1] + sin * x + cos * y]
     }
@@ -90,12 +90,12 @@ pub(super) fn three_digits(value: f64) -> String {
 }
 
 /// `x y`.
-pub(super) fn pair([x, y]: Spot) -> String {
+pub(super) fn pair([x, y]: [f64; 2]) -> String {
     format!("{} {}", fine(x), fine(y))
 }
 
 /// A path through points, closed or not.
-pub(super) fn path(points: &[Spot], is_closed: bool) -> String {
+pub(super) fn path(points: &[[f64; 2]], is_closed: bool) -> String {
     let mut text = String::new();
     for (nth, [x, y]) in points.iter().enumerate() {
         text += if nth == 0 { "M" } else { "L" };

@@ -5,7 +5,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::boxes::Box2;
-use super::scene::Spot;
+
 use super::style::{FONT, Palette, SMALL, SUPPORT, Unit, text_width};
 use super::svg::{Timing, Transform, fine, pair, path, short};
 
@@ -13,14 +13,14 @@ use super::svg::{Timing, Transform, fine, pair, path, short};
 pub(super) const WAYS: [f64; 4] = [0.0, 90.0, -90.0, 180.0];
 
 /// The box covered by a support.
-pub(super) fn support_box(at: Spot, way: f64) -> Box2 {
+pub(super) fn support_box(at: [f64; 2], way: f64) -> Box2 {
     let seat = Transform { at, degrees: way };
     let [_, height, half] = SUPPORT;
     Box2::around([[-half - 3.0, -2.0], [half + 1.0, height + 8.0]].map(|spot| seat.place(spot)))
 }
 
 /// A support below a joint, turned.
-pub(super) fn support(at: Spot, way: f64, palette: &Palette) -> String {
+pub(super) fn support(at: [f64; 2], way: f64, palette: &Palette) -> String {
     let (paper, ink) = (palette.paper, palette.ink);
     format!(
         r#"<g {} stroke="{ink}" stroke-linecap="round" stroke-linejoin="round" fill="none"><path d="M0 0L-10 17H10Z" fill="{paper}" stroke-width="1.6"/><path d="M-17 17H17" stroke-width="1.6"/><path d="M-11 17l-6 7M-4 17l-6 7M3 17l-6 7M10 17l-6 7M17 17l-6 7" stroke-width="1"/></g>"#,
@@ -56,7 +56,12 @@ pub(super) fn rail_boxes(seat: Transform, [start, end]: [f64; 2]) -> [Box2; 2] {
 }
 
 /// The circle of a crank's pin, or the part of it that the pin goes through.
-pub(super) fn crank_circle(at: Spot, radius: f64, swept: Option<[f64; 2]>, quiet: &str) -> String {
+pub(super) fn crank_circle(
+    at: [f64; 2],
+    radius: f64,
+    swept: Option<[f64; 2]>,
+    quiet: &str,
+) -> String {
     let look =
         format!(r#"fill="none" stroke="{quiet}" stroke-width="1" stroke-dasharray="9 3 2 3""#);
     match swept {
@@ -77,7 +82,7 @@ pub(super) fn crank_circle(at: Spot, radius: f64, swept: Option<[f64; 2]>, quiet
 }
 
 /// A place on a circle, the angle as the page has it.
-pub(super) fn on_circle([x, y]: Spot, radius: f64, degrees: f64) -> Spot {
+pub(super) fn on_circle([x, y]: [f64; 2], radius: f64, degrees: f64) -> [f64; 2] {
     let (sin, cos) = degrees.to_radians().sin_cos();
     [x + radius * cos, y + radius * sin]
 }
@@ -87,12 +92,12 @@ pub(super) const ARC: f64 = 20.0;
 pub(super) const HALF_ARC: f64 = 50.0;
 
 /// Points of that arrow, around the middle angle.
-pub(super) fn arc_points(at: Spot, middle: f64) -> Vec<Spot> {
+pub(super) fn arc_points(at: [f64; 2], middle: f64) -> Vec<[f64; 2]> {
     (-4..=4).map(|nth| on_circle(at, ARC, middle + f64::from(nth) * HALF_ARC / 4.0)).collect()
 }
 
 /// The arrow itself; clockwise on the page is a negative input's way.
-pub(super) fn arc_arrow(at: Spot, middle: f64, is_clockwise: bool, ink: &str) -> String {
+pub(super) fn arc_arrow(at: [f64; 2], middle: f64, is_clockwise: bool, ink: &str) -> String {
     let sign = if is_clockwise { 1.0 } else { -1.0 };
     // The head is as long as 22° of the arc.
     let (tail, neck, tip) =
@@ -114,13 +119,13 @@ pub(super) fn arc_arrow(at: Spot, middle: f64, is_clockwise: bool, ink: &str) ->
 const HEAD: f64 = 8.0;
 
 /// The path of an arrow from one place to another, with a head at one end or both.
-fn arrow([from, to]: [Spot; 2], is_double: bool) -> String {
+fn arrow([from, to]: [[f64; 2]; 2], is_double: bool) -> String {
     let back = if is_double { barbs([to, from]) } else { String::new() };
     format!("M{}L{}{}{back}", pair(from), pair(to), barbs([from, to]))
 }
 
 /// The head at the end of a line; a short line has a small one.
-fn barbs([from, to]: [Spot; 2]) -> String {
+fn barbs([from, to]: [[f64; 2]; 2]) -> String {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = dx.hypot(dy).max(1e-9);
     let head = HEAD.min(0.45 * length);
@@ -131,7 +136,7 @@ fn barbs([from, to]: [Spot; 2]) -> String {
 
 /// An arrow that moves, hidden where it has no ends; nothing at all without any.
 pub(super) fn moving_arrow(
-    ends: &[Option<[Spot; 2]>],
+    ends: &[Option<[[f64; 2]; 2]>],
     is_double: bool,
     timing: Option<Timing>,
     look: &str,
@@ -141,7 +146,7 @@ pub(super) fn moving_arrow(
 }
 
 /// A bent line with a head at its end.
-pub(super) fn turning_arrow(line: &[Spot]) -> String {
+pub(super) fn turning_arrow(line: &[[f64; 2]]) -> String {
     let drawn = path(line, false);
     match line {
         // The head of the last side alone would be as short as that side.

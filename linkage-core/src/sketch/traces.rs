@@ -7,7 +7,7 @@ use std::vec::Vec;
 use super::bodies::Body;
 use super::boxes::Box2;
 use super::plan::Plan;
-use super::scene::{Scene, Spot};
+use super::scene::Scene;
 use super::sketch_error::SketchError;
 use super::svg::{View, path, short};
 
@@ -59,7 +59,7 @@ fn distance(a: &str, b: &str) -> usize {
 pub(super) struct Trace {
     pub point: usize,
     /// Where the point is in each pose, on the page.
-    at: Vec<Option<Spot>>,
+    at: Vec<Option<[f64; 2]>>,
 }
 
 impl Trace {
@@ -75,7 +75,7 @@ impl Trace {
     }
 
     /// About where it goes: every third pose is enough to keep texts away.
-    pub(super) fn lines(&self) -> Vec<[Spot; 2]> {
+    pub(super) fn lines(&self) -> Vec<[[f64; 2]; 2]> {
         self.at.windows(4).step_by(3).filter_map(|ends| Some([ends[0]?, ends[3]?])).collect()
     }
 
@@ -90,9 +90,9 @@ impl Trace {
         }
         let last = self.at.len() - 1;
         let steps = (0..=DOTS).map(|nth| nth * last / DOTS);
-        let mut dots: Vec<Spot> = steps.filter_map(|frame| self.at[frame]).collect();
+        let mut dots: Vec<[f64; 2]> = steps.filter_map(|frame| self.at[frame]).collect();
         dots.dedup_by(|a, b| (a[0] - b[0]).hypot(a[1] - b[1]) < 1.0);
-        let dot = |[x, y]: Spot| format!("M{} {}h0", short(x), short(y));
+        let dot = |[x, y]: [f64; 2]| format!("M{} {}h0", short(x), short(y));
         let dots: String = dots.into_iter().map(dot).collect();
         format!(
             r#"<g data-trace="{name}" fill="none" stroke="{colour}" stroke-linejoin="round" stroke-linecap="round"><path d="{line}" stroke-width="2"/><path d="{dots}" stroke-width="5.2"/></g>"#

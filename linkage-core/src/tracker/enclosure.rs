@@ -1,6 +1,6 @@
 //! All values that a formula takes while its inputs take a step.
 //!
-//! An [`Enclosure`] is a middle, what it changes by with the step, and a radius. Every operation gives a
+//! An [`AffineForm`] is a middle, what it changes by with the step, and a radius. Every operation gives a
 //! radius that covers what the operands' radii allow, what is not linear in the step, and what rounding
 //! did to the middle (R. E. Moore, R. B. Kearfott and M. J. Cloud, Introduction to Interval Analysis;
 //! L. H. de Figueiredo and J. Stolfi, Affine arithmetic, with one symbol for the step). Where an
@@ -19,7 +19,7 @@ use crate::{Float, LibraryFunction, Real, Scalar};
 /// All numbers of a formula share the s of its step: what they have in common to first order cancels
 /// where their difference is taken.
 #[derive(Clone, Copy, Debug)]
-pub struct Enclosure<T> {
+pub struct AffineForm<T> {
     middle: T,
     slope: T,
     radius: T,
@@ -43,7 +43,7 @@ fn min<T: Float>(a: T, b: T) -> T {
     if b.ge(a) { a } else { b }
 }
 
-impl<T: Float> Enclosure<T> {
+impl<T: Float> AffineForm<T> {
     /// The range from `middle` − `radius` to `middle` + `radius`, proportional to the step taken.
     pub(crate) fn around(middle: T, radius: T) -> Self {
         // Places on the way are rounded, each for itself.
@@ -93,7 +93,7 @@ impl<T: Float> Enclosure<T> {
     }
 }
 
-impl<T: Float> Add for Enclosure<T> {
+impl<T: Float> Add for AffineForm<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -102,7 +102,7 @@ impl<T: Float> Add for Enclosure<T> {
     }
 }
 
-impl<T: Float> Sub for Enclosure<T> {
+impl<T: Float> Sub for AffineForm<T> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -111,7 +111,7 @@ impl<T: Float> Sub for Enclosure<T> {
     }
 }
 
-impl<T: Float> Neg for Enclosure<T> {
+impl<T: Float> Neg for AffineForm<T> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -119,7 +119,7 @@ impl<T: Float> Neg for Enclosure<T> {
     }
 }
 
-impl<T: Float> Mul for Enclosure<T> {
+impl<T: Float> Mul for AffineForm<T> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -133,7 +133,7 @@ impl<T: Float> Mul for Enclosure<T> {
     }
 }
 
-impl<T: Float> Div for Enclosure<T> {
+impl<T: Float> Div for AffineForm<T> {
     type Output = Self;
     /// a/b − a₀/b₀ = n/b with n = (a − a₀) − a₀/b₀ (b − b₀), and n/b = n/b₀ − n (b − b₀)/(b₀ b).
     #[inline]
@@ -152,7 +152,7 @@ impl<T: Float> Div for Enclosure<T> {
     }
 }
 
-impl<T: Float> Scalar for Enclosure<T> {
+impl<T: Float> Scalar for AffineForm<T> {
     type Mask = bool;
 
     #[inline]
@@ -323,7 +323,7 @@ impl<T: Float> Scalar for Enclosure<T> {
     }
 }
 
-impl<T: Float> Enclosure<T> {
+impl<T: Float> AffineForm<T> {
     /// The error of a library function: a few last places, of which `rounded` has covered one half.
     fn widened(self) -> Self {
         let error =
@@ -339,7 +339,7 @@ impl<T: Float> Enclosure<T> {
     }
 }
 
-impl<T: Float> Real for Enclosure<T> {
+impl<T: Float> Real for AffineForm<T> {
     const EPSILON: f64 = T::EPSILON;
     type Plain = Self;
     type Enclosing = Self;

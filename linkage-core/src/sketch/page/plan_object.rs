@@ -4,7 +4,7 @@ use std::string::{String, ToString};
 
 use super::json::{list, object, option, string, strings};
 use crate::sketch::member::{LinkShape, Member};
-use crate::sketch::plan::{Made, Plan, Spring};
+use crate::sketch::plan::{Element, Plan, Spring};
 
 pub(super) fn written(plan: &Plan) -> String {
     object([
@@ -17,12 +17,12 @@ pub(super) fn written(plan: &Plan) -> String {
     ])
 }
 
-fn statement(made: Made) -> String {
+fn statement(made: Element) -> String {
     match made {
-        Made::Ground(point) => object([("ground", point.to_string())]),
-        Made::Guide(guide, on) => object([("guide", guide.to_string()), ("on", option(on))]),
-        Made::Point(point, on) => object([("point", point.to_string()), ("on", option(on))]),
-        Made::Group(members, pin) => {
+        Element::Ground(point) => object([("ground", point.to_string())]),
+        Element::Guide(guide, on) => object([("guide", guide.to_string()), ("on", option(on))]),
+        Element::Point(point, on) => object([("point", point.to_string()), ("on", option(on))]),
+        Element::Group(members, pin) => {
             let members = members.iter().map(|&own| member(own));
             object([("members", list(members)), ("pin", option(pin))])
         }

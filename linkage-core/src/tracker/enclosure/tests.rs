@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::*;
 
-type Ball = Enclosure<f64>;
+type Ball = AffineForm<f64>;
 
 fn contains(ball: Ball, value: f64) -> bool {
     let [low, high] = ball.bounds();

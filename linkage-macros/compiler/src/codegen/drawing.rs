@@ -169,7 +169,7 @@ fn spring(cx: &Context<'_>, spring: &Spring) -> Option<TokenStream> {
 }
 
 fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
-    let made = cx.paths.item("Made");
+    let made = cx.paths.item("Element");
     let on = |carrier: Carrier| match carrier {
         Carrier::Ground => option(cx, None),
         Carrier::Link(link) => option(cx, Some(link.0)),
@@ -192,7 +192,7 @@ fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
 }
 
 fn group(cx: &Context<'_>, group: &Group) -> TokenStream {
-    let [made, member] = ["Made", "Member"].map(|name| cx.paths.item(name));
+    let [made, member] = ["Element", "Member"].map(|name| cx.paths.item(name));
     let members = group.outer.iter().enumerate().map(|(index, joint)| {
         let (link, shape) = (number(group.links[index].0), shape(cx, group, index));
         let on = joint.point().map(|point| point.0).or(joint.guide().map(|guide| guide.0));

@@ -125,7 +125,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (costs_in_words::ty(cx), costs_in_words::constant(cx));
     let (forces, cost_docs, drawn) = (force_rows(cx), docs::cost(cx), drawn(cx));
-    let [float, string, is] = ["f64", "str", "Is"].map(|name| cx.paths.item(name));
+    let [float, string, same_as] = ["f64", "str", "SameAs"].map(|name| cx.paths.item(name));
     quote! {
         impl #name<#float> {
             /// The scalar rows of the results, in the order of every list of rows.
@@ -145,7 +145,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
             /// The solver with all parameters at their declared values, in `f64`.
             #[inline]
             #[must_use]
-            pub const fn new() -> #name<#float> where #float: #is<#scalar> { #new }
+            pub const fn new() -> #name<#float> where #float: #same_as<#scalar> { #new }
         }
     }
 }

@@ -18,7 +18,7 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         on: Option<&Ident>,
-        through: &tree::Spot,
+        through: &tree::GuideAnchor,
         course: &tree::Course,
     ) {
         let is_new = self.name_is_new(name).is_some();
@@ -64,20 +64,20 @@ impl Resolver<'_> {
     /// The point a guide goes through, and its place if that is constant.
     fn spot(
         &mut self,
-        spot: &tree::Spot,
+        spot: &tree::GuideAnchor,
         carrier: Option<Carrier>,
     ) -> Option<(Through, Option<[Exact; 2]>)> {
         match spot {
-            tree::Spot::At(place) => {
+            tree::GuideAnchor::At(place) => {
                 let place = self.lengths(place)?;
                 let at = constants(&place);
                 Some((Through::At(place), at))
             }
-            tree::Spot::Point(name) => {
+            tree::GuideAnchor::Point(name) => {
                 let (point, at) = self.point_lies_on_carrier(name, carrier)?;
                 Some((Through::Point(point), at))
             }
-            tree::Spot::Mistake => None,
+            tree::GuideAnchor::Mistake => None,
         }
     }
 

@@ -6,7 +6,8 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::syntax::tree::{
-    Course, Declaration, Expr, ExprKind, GroupStatement, PointPlace, Spot, Statement, StatementKind,
+    Course, Declaration, Expr, ExprKind, GroupStatement, GuideAnchor, PointPlace, Statement,
+    StatementKind,
 };
 
 use super::mechanism::References;
@@ -47,8 +48,8 @@ fn joints(statement: &Statement) -> Vec<&Ident> {
     match &statement.kind {
         StatementKind::Guide { on, through, course, .. } => {
             let through = match through {
-                Spot::Point(point) => Some(point),
-                Spot::At(_) | Spot::Mistake => None,
+                GuideAnchor::Point(point) => Some(point),
+                GuideAnchor::At(_) | GuideAnchor::Mistake => None,
             };
             let towards = match course {
                 Course::Towards(point) => Some(point),
@@ -85,7 +86,7 @@ pub(super) fn expressions(statement: &Statement, f: &mut impl FnMut(&Expr)) {
             points.iter().flat_map(|(_, place)| place).for_each(f);
         }
         StatementKind::Guide { through, course, .. } => {
-            if let Spot::At(place) = through {
+            if let GuideAnchor::At(place) = through {
                 place.iter().for_each(&mut *f);
             }
             if let Course::Along(angle) = course {

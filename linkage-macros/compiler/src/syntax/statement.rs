@@ -7,7 +7,7 @@
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Course, Expr, OutputItem, PointPlace, Spot, StatementKind};
+use super::tree::{Course, Expr, GuideAnchor, OutputItem, PointPlace, StatementKind};
 
 const COORDINATES: &str = "`(x, y)`";
 
@@ -166,11 +166,11 @@ impl Parser<'_> {
         let name = self.new_name("a guide")?;
         let mut on = None;
         let line = self.line(&mut on);
-        let (through, course) = self.or_skip(line, (Spot::Mistake, Course::Mistake));
+        let (through, course) = self.or_skip(line, (GuideAnchor::Mistake, Course::Mistake));
         Ok(StatementKind::Guide { name, on, through, course })
     }
 
-    fn line(&mut self, on: &mut Option<Ident>) -> Parse<(Spot, Course)> {
+    fn line(&mut self, on: &mut Option<Ident>) -> Parse<(GuideAnchor, Course)> {
         const FORM: &str = "a guide is a point and a direction: `through (x, y) along 0deg` or \
                             `through A towards D`";
         if self.take_word("on") {
@@ -180,11 +180,11 @@ impl Parser<'_> {
             return self.expected_because("`through`", FORM);
         }
         let through = match self.is_group(0, Delimiter::Parenthesis) {
-            true => Spot::At(self.pair(COORDINATES)?),
+            true => GuideAnchor::At(self.pair(COORDINATES)?),
             false if self.peek_ident(0).is_none() => {
                 return self.expected_because("a point or `(x, y)`", FORM);
             }
-            false => Spot::Point(self.name_of("a point")?),
+            false => GuideAnchor::Point(self.name_of("a point")?),
         };
         let course = match () {
             () if self.take_word("along") => Course::Along(self.expression()?),

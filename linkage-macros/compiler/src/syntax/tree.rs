@@ -70,7 +70,7 @@ pub(crate) enum StatementKind {
     /// `drive theta by pull;`: the load that puts in the effort of an input.
     DriveBy { input: Ident, load: Ident },
     /// `guide slot on BC through P towards C;`
-    Guide { name: Ident, on: Option<Ident>, through: Spot, course: Course },
+    Guide { name: Ident, on: Option<Ident>, through: GuideAnchor, course: Course },
     /// `point P on BC at …;`
     Point { name: Ident, on: Option<Ident>, place: PointPlace },
     /// Everything with braces of fields: crank, slider and the dyads.
@@ -318,7 +318,7 @@ pub(crate) enum GroupFieldValue {
 
 /// The place a guide goes through.
 #[derive(Clone)]
-pub(crate) enum Spot {
+pub(crate) enum GuideAnchor {
     At([Expr; 2]),
     Point(Ident),
     /// Could not be read, and was reported.

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::chain::plane::root;
-use crate::syntax::tree::{Course, ExprKind, PointPlace, Spot, StatementKind};
+use crate::syntax::tree::{Course, ExprKind, GuideAnchor, PointPlace, StatementKind};
 
 use super::figures::Figure;
 use super::frames::{DrawnFrame, DrawnLine, Heading, Origin};
@@ -156,7 +156,7 @@ fn frame_without_pins(
     };
     let carried = reader.guides.iter().position(|guide| guide.on == link + 1);
     let Some(carried) = carried else { return Some(frame) };
-    let Some((Spot::Point(pin), course)) = written_line(reader, carried) else {
+    let Some((GuideAnchor::Point(pin), course)) = written_line(reader, carried) else {
         return Some(frame);
     };
     let at = reader.values.places.get(&pin.to_string()).cloned()?;
@@ -172,7 +172,10 @@ fn frame_without_pins(
 }
 
 /// The guide's statement.
-fn written_line<'t>(reader: &Reader<'t, '_, '_>, guide: usize) -> Option<(&'t Spot, &'t Course)> {
+fn written_line<'t>(
+    reader: &Reader<'t, '_, '_>,
+    guide: usize,
+) -> Option<(&'t GuideAnchor, &'t Course)> {
     let wanted = reader.guides[guide].name;
     reader.tree.statements.iter().find_map(|statement| match &statement.kind {
         StatementKind::Guide { name, through, course, .. } if name == wanted => {
@@ -192,15 +195,15 @@ fn line_of(
     let frame = frames[on].clone();
     let pen = reader.values.pen.at(reader.guides[guide].name.span());
     let through = match spot {
-        Spot::Point(point) => reader.values.places.get(&point.to_string()).cloned()?,
-        Spot::At([x, y]) => {
+        GuideAnchor::Point(point) => reader.values.places.get(&point.to_string()).cloned()?,
+        GuideAnchor::At([x, y]) => {
             let local = [reader.values.length(x)?, reader.values.length(y)?];
             frame.clone()?.placed(&pen, &local)
         }
-        Spot::Mistake => return None,
+        GuideAnchor::Mistake => return None,
     };
     let from = match spot {
-        Spot::Point(point) => pin_named(reader, point),
+        GuideAnchor::Point(point) => pin_named(reader, point),
         _ => None,
     };
     let towards = match course {

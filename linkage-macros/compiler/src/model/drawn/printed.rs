@@ -4,8 +4,8 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Action, FrictionSite, FrictionStatement, MassSite, StopStatement};
 use crate::syntax::tree::{
-    BinaryOp, Course, Declaration, Expr, ExprKind, GroupFieldValue, GroupStatement, PointPlace,
-    Spot, Statement, StatementKind,
+    BinaryOp, Course, Declaration, Expr, ExprKind, GroupFieldValue, GroupStatement, GuideAnchor,
+    PointPlace, Statement, StatementKind,
 };
 
 use super::writer::Translated;
@@ -112,11 +112,11 @@ fn on_link(on: Option<&proc_macro2::Ident>) -> String {
     on.map(|on| format!(" on {on}")).unwrap_or_default()
 }
 
-fn line(through: &Spot, course: &Course) -> String {
+fn line(through: &GuideAnchor, course: &Course) -> String {
     let through = match through {
-        Spot::At(place) => pair(place),
-        Spot::Point(point) => point.to_string(),
-        Spot::Mistake => String::new(),
+        GuideAnchor::At(place) => pair(place),
+        GuideAnchor::Point(point) => point.to_string(),
+        GuideAnchor::Mistake => String::new(),
     };
     match course {
         Course::Along(angle) => format!("through {through} along {}", text(angle)),

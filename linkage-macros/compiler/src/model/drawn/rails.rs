@@ -4,7 +4,9 @@ use proc_macro2::Ident;
 use quote::format_ident;
 
 use crate::chain::machine::GROUND;
-use crate::syntax::tree::{BinaryOp, Course, Expr, ExprKind, GroupFieldValue, Spot, StatementKind};
+use crate::syntax::tree::{
+    BinaryOp, Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, StatementKind,
+};
 
 use super::figures::Figure;
 use super::frames::DrawnFrame;
@@ -45,7 +47,7 @@ impl Writer<'_, '_> {
         let kind = StatementKind::Guide {
             name: name.clone(),
             on: Some(known.clone()),
-            through: Spot::At(through),
+            through: GuideAnchor::At(through),
             course: Course::Along(along),
         };
         self.put(self.bodies.link(link).statement, kind);

@@ -9,7 +9,7 @@ use crate::chain::machine::GROUND;
 use crate::exact::Exact;
 use crate::syntax::tree::{Action, MassSite};
 use crate::syntax::tree::{
-    Course, Expr, ExprKind, GroupFieldValue, OutputItem, PointPlace, Solve, Spot, Statement,
+    Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, OutputItem, PointPlace, Solve, Statement,
     StatementKind,
 };
 
@@ -206,20 +206,20 @@ impl Turns {
         bodies: &Bodies<'_>,
         name: &Ident,
         on: Option<&Ident>,
-        through: &Spot,
+        through: &GuideAnchor,
         course: &Course,
     ) -> StatementKind {
         let body = on.and_then(|on| bodies.body(on)).unwrap_or(GROUND);
         let spot = match (through, on) {
-            (Spot::At(place), Some(on)) => Spot::At(self.place(on, place)),
+            (GuideAnchor::At(place), Some(on)) => GuideAnchor::At(self.place(on, place)),
             // Any pin's place in the drawing will do.
-            (Spot::Point(point), Some(on)) if !bodies.has_pin(body, point) => {
+            (GuideAnchor::Point(point), Some(on)) if !bodies.has_pin(body, point) => {
                 let guide = bodies.guides.iter().find(|guide| guide.name == name);
                 let frame = &bodies.frames[body];
                 match guide.filter(|_| body != GROUND && !bodies.link(body).is_given) {
                     Some(guide) => {
                         let local = frame.local(&self.pen.at(point.span()), &guide.line.through);
-                        Spot::At(self.place(on, &local.map(|number| number.text)))
+                        GuideAnchor::At(self.place(on, &local.map(|number| number.text)))
                     }
                     None => through.clone(),
                 }

@@ -87,9 +87,9 @@ fn kind(kind: &StatementKind) -> String {
         | StatementKind::DriveBy { .. } => links::drawn(kind),
         StatementKind::Guide { name, on, through, course } => {
             let through = match through {
-                Spot::At(at) => pair(at),
-                Spot::Point(point) => point.to_string(),
-                Spot::Mistake => "?".to_string(),
+                GuideAnchor::At(at) => pair(at),
+                GuideAnchor::Point(point) => point.to_string(),
+                GuideAnchor::Mistake => "?".to_string(),
             };
             let course = match course {
                 Course::Along(angle) => format!("along {}", expr(angle)),

@@ -20,9 +20,9 @@ impl<A: Into<R>, R> Inputs<R> for A {}
     message = "`new` makes a solver in `f64`; write `default` for one in `{T}`",
     label = "write `default()` in place of `new()`"
 )]
-pub trait Is<T> {}
+pub trait SameAs<T> {}
 
-impl<T> Is<T> for T {}
+impl<T> SameAs<T> for T {}
 
 /// Conditions that no solver fulfils: one for each reason why something is not offered.
 macro_rules! conditions {
