@@ -18,6 +18,7 @@ mod scripts;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use proc_macro2::{TokenStream, TokenTree};
 
@@ -56,7 +57,17 @@ fn kept_in() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src/expansions/hashes.txt")
 }
 
-impl Hashes {
+/// What the tests look at, of one declaration.
+struct Expansion {
+    hashes: Hashes,
+    /// The script of its page.
+    script: Option<String>,
+}
+
+/// Of every declaration. Tests run beside each other, and the first makes them for all.
+static ALL: LazyLock<BTreeMap<Key, Expansion>> = LazyLock::new(all);
+
+impl Expansion {
     fn of(declaration: &Declaration) -> Self {
         let expansion = pipeline::compile(declaration.tokens.clone(), &Options::NONE).tokens;
         let messages = fuzz::messages(expansion.clone());
@@ -64,16 +75,20 @@ impl Hashes {
         let exported =
             pipeline::compile(parts::exported(&declaration.tokens), &Options::SKETCH).tokens;
         let header = parts::header(exported.clone());
-        Self {
+        let script = scripts::of(exported.clone());
+        let hashes = Hashes {
             exact: exact(expansion.clone()),
             docs: hash(&parts::docs(expansion.clone())),
             renumbered: numbered_anew(parts::without_docs(expansion)),
             drawing: exact(taken_apart(exported).1),
             header: hash(&[header.expect("C is asked for")]),
             stub: exact(stub(declaration.tokens.clone())),
-        }
+        };
+        Self { hashes, script }
     }
+}
 
+impl Hashes {
     fn of_list(list: [String; 6]) -> Self {
         let [exact, renumbered, docs, drawing, header, stub] = list;
         Self { exact, renumbered, docs, drawing, header, stub }
@@ -108,11 +123,11 @@ fn stub(tokens: TokenStream) -> TokenStream {
     pipeline::stub(&tree, &model::stub(&tree), &Options::NONE)
 }
 
-fn all() -> BTreeMap<Key, Hashes> {
+fn all() -> BTreeMap<Key, Expansion> {
     let mut all = BTreeMap::new();
     for declaration in declarations::all() {
         let key = (declaration.name.clone(), exact(declaration.tokens.clone()));
-        all.entry(key).or_insert_with(|| Hashes::of(&declaration));
+        all.entry(key).or_insert_with(|| Expansion::of(&declaration));
     }
     all
 }
@@ -174,7 +189,8 @@ fn differences(
 
 #[test]
 fn no_declaration_expands_to_other_code_than_before() {
-    let (made, messages) = (all(), messages_of_slips());
+    let made = ALL.iter().map(|(key, expansion)| (key.clone(), expansion.hashes.clone())).collect();
+    let messages = messages_of_slips();
     if std::env::var_os("LINKAGE_RENEW").is_some() {
         let text = to_text(&made, &messages);
         return fs::write(kept_in(), text).expect("the hashes can be written");

@@ -5,13 +5,12 @@ use std::path::Path;
 
 use proc_macro2::{TokenStream, TokenTree};
 
-use super::declarations;
-use crate::pipeline::{self, Options};
+use super::ALL;
 
 /// The script among the tokens of a solver: the literal that begins as an object does.
-fn script(tokens: TokenStream) -> Option<String> {
+pub(super) fn of(tokens: TokenStream) -> Option<String> {
     tokens.into_iter().find_map(|tree| match tree {
-        TokenTree::Group(group) => script(group.stream()),
+        TokenTree::Group(group) => of(group.stream()),
         TokenTree::Literal(literal) => {
             let text = syn::parse_str::<syn::LitStr>(&literal.to_string()).ok()?.value();
             text.starts_with("{\nplace: ").then_some(text)
@@ -51,19 +50,18 @@ fn defined() -> BTreeSet<String> {
 #[test]
 fn a_script_calls_what_its_page_defines() {
     let (defined, mut scripts, mut seen) = (defined(), 0, BTreeSet::new());
-    for declaration in declarations::all() {
-        let tokens = pipeline::compile(declaration.tokens.clone(), &Options::SKETCH).tokens;
-        let Some(script) = script(tokens) else { continue };
+    for ((declaration, _), expansion) in &*ALL {
+        let Some(script) = &expansion.script else { continue };
         scripts += 1;
-        for name in called(&script) {
-            assert!(defined.contains(name), "{}: `{name}` is defined nowhere", declaration.name);
+        for name in called(script) {
+            assert!(defined.contains(name), "{declaration}: `{name}` is defined nowhere");
             seen.insert(name.to_string());
         }
         // Searches and lists of names are the script's own.
         for own in script.split("MACHINE.").skip(1) {
             let own = own.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or("");
             let is_there = script.contains(&format!("\n{own}: "));
-            assert!(is_there, "{}: `{own}` is defined nowhere", declaration.name);
+            assert!(is_there, "{declaration}: `{own}` is defined nowhere");
         }
     }
     assert!(scripts > 300, "{scripts}");

@@ -101,13 +101,22 @@ fn bits(answer: &EntryOutputs) -> [u64; 4] {
     answer.map(c_program::bits)
 }
 
-pub(super) fn compare(program: &Program, calls: &[Call], expected: impl Fn(&Call) -> EntryOutputs) {
-    let found = answers(program, calls);
-    assert_eq!(found.len(), calls.len());
-    for (call, found) in calls.iter().zip(&found) {
-        let expected = expected(call);
-        assert_eq!(bits(found), bits(&expected), "{call:?}: {found:?} in place of {expected:?}");
+/// What is expected of the calls, which every program answers.
+pub(super) fn compare(
+    programs: &[Program],
+    calls: &[Call],
+    expected: impl Fn(&Call) -> EntryOutputs,
+) -> Vec<EntryOutputs> {
+    let expected: Vec<_> = calls.iter().map(expected).collect();
+    for (nth, program) in programs.iter().enumerate() {
+        let found = answers(program, calls);
+        assert_eq!(found.len(), calls.len());
+        for ((call, found), expected) in calls.iter().zip(&found).zip(&expected) {
+            let is_alike = bits(found) == bits(expected);
+            assert!(is_alike, "program {nth}, {call:?}: {found:?} in place of {expected:?}");
+        }
     }
+    expected
 }
 
 /// The numbers of one function's arguments.
@@ -175,13 +184,13 @@ fn expected<T: Float, F: Fusion>(call: &Call, widen: impl Fn(T) -> f64) -> Entry
     }
 }
 
-fn functions_agree<F: Fusion>(program: &Program) {
+fn functions_agree<F: Fusion>(programs: &[Program]) {
     let mut random = Random(7);
     for is_single in [false, true] {
         for which in 0..15 {
             let call = |_| Call { which, is_single, x: arguments(&mut random, which, is_single) };
             let calls: Vec<Call> = (0..20_000).map(call).collect();
-            compare(program, &calls, |call| match is_single {
+            compare(programs, &calls, |call| match is_single {
                 false => expected::<f64, F>(call, |x| x),
                 true => expected::<f32, F>(call, f64::from),
             });
@@ -315,31 +324,36 @@ fn diagnosed<T: Real>(call: &Call) -> EntryOutputs {
     }
 }
 
-fn conditions_agree(program: &Program) {
+fn conditions_agree(programs: &[Program]) {
     let mut random = Random(11);
     for is_single in [false, true] {
         let mut statuses = BTreeSet::new();
         for which in 20..32 {
             let call = |_| Call { which, is_single, x: operands(&mut random, which, is_single) };
             let calls: Vec<Call> = (0..20_000).map(call).collect();
-            let expected = |call: &Call| match is_single {
+            let expected = compare(programs, &calls, |call| match is_single {
                 false => diagnosed::<f64>(call),
                 true => diagnosed::<f32>(call),
-            };
-            statuses.extend(calls.iter().map(|call| expected(call)[0] as i32));
-            compare(program, &calls, expected);
+            });
+            statuses.extend(expected.iter().map(|answer| answer[0] as i32));
         }
         assert_eq!(statuses, BTreeSet::from([0, 1, 2, 3, 4]));
     }
 }
 
+/// As strict C99 and as C++17.
 #[test]
 fn strict_c_agrees() {
-    let Some(program) = program("cc", "strict", &STRICT) else { return };
-    functions_agree::<Plain>(&program);
-    library_functions::agree::<Plain>(&program);
-    conditions_agree(&program);
-    roots_agree(&program);
+    let cpp =
+        ["-x", "c++", "-std=c++17", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
+    let compilers =
+        [("cc", "strict", &STRICT[..]), ("clang", "clang", &STRICT), ("g++", "cpp", &cpp)];
+    let programs: Vec<_> =
+        compilers.into_iter().filter_map(|(cc, name, flags)| program(cc, name, flags)).collect();
+    functions_agree::<Plain>(&programs);
+    library_functions::agree::<Plain>(&programs);
+    conditions_agree(&programs);
+    roots_agree(&programs);
 }
 
 /// Also where the compiler may contract a product into a sum, and where operations are fused.
@@ -349,29 +363,10 @@ fn fused_c_agrees() {
         println!("skipped: no fused operations");
         return;
     }
-    let Some(program) = program("cc", "fused", &CONTRACTING) else { return };
-    functions_agree::<Fused>(&program);
-    conditions_agree(&program);
-    roots_agree(&program);
-}
-
-/// clang contracts by itself as well.
-#[test]
-fn clang_agrees() {
-    let Some(strict) = program("clang", "clang", &STRICT) else { return };
-    functions_agree::<Plain>(&strict);
-    roots_agree(&strict);
-    if cfg!(target_arch = "x86_64") && std::is_x86_feature_detected!("fma") {
-        let Some(fused) = program("clang", "clang_fused", &CONTRACTING) else { return };
-        functions_agree::<Fused>(&fused);
-        conditions_agree(&fused);
-    }
-}
-
-#[test]
-fn it_is_cpp_as_well() {
-    let flags =
-        ["-x", "c++", "-std=c++17", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
-    let Some(program) = program("g++", "cpp", &flags) else { return };
-    functions_agree::<Plain>(&program);
+    let compilers = [("cc", "fused"), ("clang", "clang_fused")];
+    let programs = compilers.into_iter().filter_map(|(cc, name)| program(cc, name, &CONTRACTING));
+    let programs: Vec<_> = programs.collect();
+    functions_agree::<Fused>(&programs);
+    conditions_agree(&programs);
+    roots_agree(&programs);
 }

@@ -5,7 +5,7 @@ use linkage_core::Fusion;
 use super::{Call, Program, Random, answers, arguments, expected};
 
 /// Exponentials and their kin are those of `<math.h>`, which is within an ulp, as the crate's are: two apart.
-pub(super) fn agree<F: Fusion>(program: &Program) {
+pub(super) fn agree<F: Fusion>(programs: &[Program]) {
     let mut random = Random(11);
     for is_single in [false, true] {
         for which in 15..19 {
@@ -21,22 +21,26 @@ pub(super) fn agree<F: Fusion>(program: &Program) {
                 Call { which, is_single, x }
             };
             let calls: Vec<Call> = (0..20_000).map(|_| call()).collect();
-            let found = answers(program, &calls);
-            let mut finite = 0;
-            for (call, found) in calls.iter().zip(&found) {
-                let (sought, epsilon, least) = match is_single {
-                    false => (expected::<f64, F>(call, |x| x), f64::EPSILON, 5e-324),
-                    true => {
-                        let sought = expected::<f32, F>(call, f64::from);
-                        (sought, f64::from(f32::EPSILON), f64::from(f32::from_bits(1)))
-                    }
-                };
-                let (a, b) = (found[2], sought[2]);
-                finite += usize::from(b.is_finite() && b != 0.0);
-                let is_near = (a - b).abs() <= (2.0 * epsilon * b.abs()).max(least);
-                assert!(is_near || a == b || a.is_nan() && b.is_nan(), "{call:?}: {a:e} for {b:e}");
-            }
+            let expected = |call: &Call| match is_single {
+                false => expected::<f64, F>(call, |x| x)[2],
+                true => expected::<f32, F>(call, f64::from)[2],
+            };
+            let (epsilon, least) = match is_single {
+                false => (f64::EPSILON, 5e-324),
+                true => (f64::from(f32::EPSILON), f64::from(f32::from_bits(1))),
+            };
+            let expected: Vec<f64> = calls.iter().map(expected).collect();
+            let finite = expected.iter().filter(|b| b.is_finite() && **b != 0.0).count();
             assert!(finite > 5_000, "{which}: {finite}");
+            for program in programs {
+                let found = answers(program, &calls);
+                for ((call, found), &b) in calls.iter().zip(&found).zip(&expected) {
+                    let a = found[2];
+                    let is_near = (a - b).abs() <= (2.0 * epsilon * b.abs()).max(least);
+                    let is_alike = is_near || a == b || a.is_nan() && b.is_nan();
+                    assert!(is_alike, "{call:?}: {a:e} for {b:e}");
+                }
+            }
         }
     }
 }
