@@ -5,9 +5,9 @@ mod amounts;
 
 use crate::exact::Exact;
 use crate::function::Function;
-#[cfg(test)]
-use crate::ir::graph::Graph;
 use crate::ir::graph::{Check, Id, Node, RootSearch, Target};
+#[cfg(test)]
+use crate::ir::graph::{Contacts, Graph};
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
@@ -91,6 +91,12 @@ pub(crate) fn jams<N: Number>(graph: &Graph, values: &[N]) -> Option<String> {
         let operands: Vec<_> = guard.operands.iter().map(|&id| &values[id.index()]).collect();
         amounts::solved(contacts, &operands).err().map(|at| contacts.joints[at].0.clone())
     })
+}
+
+/// An amount of friction among those of its equations, given the values of the guard's operands.
+#[cfg(test)]
+pub(crate) fn amount<N: Number>(contacts: &Contacts, operands: &[&N]) -> Option<N> {
+    amounts::solved(contacts, operands).ok()
 }
 
 /// Newton's method from where the root is expected, or from the middle: declarations of tests are

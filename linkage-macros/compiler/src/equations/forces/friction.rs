@@ -38,6 +38,8 @@ use amount::Row;
 pub(super) use by_load::walked as walked_by_load;
 pub(super) use forward::accelerations;
 pub(in crate::equations) use forward::is_offered;
+#[cfg(test)]
+pub(in crate::equations) use system::amounts_of;
 use system::solved;
 
 /// The place of a contact in the group whose reactions press it.

@@ -13,3 +13,4 @@ mod laws;
 mod left_out;
 mod newton_euler;
 mod rates;
+mod straight_proofs;

@@ -115,6 +115,17 @@ fn forces_keep_their_budgets() {
     assert!(written(one, "forces") < all && written(one, "statics") < all_at_rest, "{text}");
 }
 
+/// Three pins of a group share what their common force changes by: a sign taken for another sum costs a third unknown.
+#[test]
+fn friction_keeps_its_budgets() {
+    let rrr = heavy_four_bar!(
+        "friction 0.1 at B radius 0.02; friction 0.1 at C radius 0.02; friction 0.1 at D radius 0.02;
+         output q.drive;"
+    );
+    let found = [written(rrr, "forces"), written(rrr, "statics")];
+    assert!(found[0] <= 416 && found[1] <= 337, "{found:?}");
+}
+
 /// Name, declaration, and the budgets of position and motion.
 const CASES: &[(&str, &str, Budget, Budget)] = &[
     ("crank", after_crank!("output B;"), [0, 2, 0, 0, 1], [2, 9, 0, 0, 1]),

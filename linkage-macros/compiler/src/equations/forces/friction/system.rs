@@ -34,3 +34,20 @@ pub(super) fn solved<'s>(rows: &[Row<'s>], group: u32) -> Vec<Sym<'s>> {
     });
     provided.collect()
 }
+
+/// The same of rows that are given, each c, G and A as the run-time crate lays it out.
+#[cfg(test)]
+pub(in crate::equations) fn amounts_of<'s>(
+    rows: &[Vec<Sym<'s>>],
+    are_guides: &[bool],
+) -> Vec<Sym<'s>> {
+    let row = |(row, &is_guide): (&Vec<Sym<'s>>, &bool)| Row {
+        share: row[0],
+        free: [row[1], row[2]],
+        changes: row[3..].chunks(2).map(|change| [change[0], change[1]]).collect(),
+        is_guide,
+        joint: String::new(),
+    };
+    let rows: Vec<_> = rows.iter().zip(are_guides).map(row).collect();
+    solved(&rows, 0)
+}
