@@ -2,6 +2,7 @@
 
 use core::array::from_fn;
 
+use crate::limit::ROUNDINGS;
 use crate::{Real, SolveError};
 
 /// One input of a motion: its second rate is told, or the effort of its drive is given.
@@ -23,9 +24,9 @@ pub struct Mixed<T, const N: usize> {
     pub drives: [T; N],
 }
 
-/// Rounding of a pivot in units of 16 ε. A derivation stands at the equations of motion in the compiler; it gives five of
-/// them for up to five inputs and some thirty terms in each mass.
-const SHARE: f64 = 5.0 * 16.0;
+/// Rounding of a pivot in units of ε. A derivation stands at the equations of motion in the compiler, whose tests hold
+/// this to it: five units of 16 ε for up to five inputs and thirty terms in each mass.
+pub const ROUNDINGS_OF_A_PIVOT: f64 = 5.0 * ROUNDINGS;
 
 /// M q̈ = force + drive with one of q̈ᵢ and driveᵢ given for each i. `names` are those of the inputs.
 ///
@@ -104,7 +105,7 @@ fn second_rates<T: Real, const N: usize>(
             free += 1.0;
             sizes[column] = free * size;
             // No for a pivot that is no number, and `NotFinite` follows from it.
-            if pivot.value() <= SHARE * T::EPSILON * sizes[column] {
+            if pivot.value() <= ROUNDINGS_OF_A_PIVOT * T::EPSILON * sizes[column] {
                 return Err(SolveError::Singular { group: names[column] });
             }
         }

@@ -25,7 +25,7 @@ pub use crate::crossing::Trend;
 pub use crate::derivatives::{Differentiable, differentiate, jacobian};
 pub use crate::diagnosis::*;
 pub use crate::friction::{Amounts, System};
-pub use crate::mixed::{Given, Mixed, mixed_dynamics};
+pub use crate::mixed::{Given, Mixed, ROUNDINGS_OF_A_PIVOT, mixed_dynamics};
 pub use crate::record::{column, joined};
 pub use crate::resolver::{from_angle, from_circle, on_circle};
 pub use crate::roots::FindError;

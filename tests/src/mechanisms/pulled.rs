@@ -24,7 +24,7 @@ mechanism! {
         spring between A and C { stiffness: 300(N/m), free_length: 0.2m, damping: 5(N*s/m) }
         drive theta by gas;
         output gas, AB.A, BC.B, BC.C, piston.bore, shaking, energy, twice = 2 * gas * rate(piston.slide),
-            on_piston, AB.drive;
+            on_piston;
     }
 }
 

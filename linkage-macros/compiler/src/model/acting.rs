@@ -265,7 +265,7 @@ impl Dynamics {
     }
 
     /// True if the effort follows from the power of all that acts, without any reaction.
-    pub(super) fn is_of_power(&self, effort: Effort) -> bool {
+    pub(crate) fn is_of_power(&self, effort: Effort) -> bool {
         match effort {
             Effort::Input(_)
             | Effort::Pull

@@ -148,6 +148,9 @@ impl Resolver<'_> {
             field == member && matches!(effort, Effort::Drive(_) | Effort::Push(_))
         });
         if let Some(&(_, effort)) = found {
+            if effort == Effort::Drive(link) {
+                self.link_has_a_drive(owner, link)?;
+            }
             return Some(effort);
         }
         if !self.facts.links[link.index()].is_placed {
@@ -330,10 +333,13 @@ impl Resolver<'_> {
         rubs.then(|| RequestedEffort { owner, field, docs: Vec::new(), effort })
     }
 
-    /// The efforts of a link but for that of an unknown that drives it, which is none.
+    /// The efforts of a link but for that of an unknown or a load that drives it, which is none.
     fn exerted(&self, link: LinkId) -> impl Iterator<Item = (Ident, Effort)> + '_ {
         self.efforts_of(link).into_iter().filter(|(_, effort)| match effort {
-            Effort::Drive(link) => !self.mechanism.is_driven_by_an_unknown(*link),
+            Effort::Drive(link) => {
+                !self.mechanism.is_driven_by_an_unknown(*link)
+                    && self.mechanism.driven_through(*link).is_none()
+            }
             _ => true,
         })
     }

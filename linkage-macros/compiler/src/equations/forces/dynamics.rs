@@ -99,9 +99,13 @@ fn equations_of<'s>(kinematics: &Kinematics<'s>) -> Equations<'s> {
         (0..count).map(|row| (0..count).map(|column| entry(row, column)).collect()).collect();
     let coasting = without_second_rates(kinematics);
     let force = units.iter().map(|unit| -of_one_among_several(&coasting, unit)).collect();
-    let roundings = 36 + 3 * masses.terms() + 4 * count;
-    let rounding = Rounding { sizes, share: roundings.div_ceil(32) as i64 };
+    let rounding = Rounding { sizes, share: share_of_a_pivot(masses.terms(), count) };
     Equations { mass, force, rounding }
+}
+
+/// The error of T_j in units of 16 ε of it, given the terms of a mass and the inputs.
+pub(in crate::equations) fn share_of_a_pivot(terms: usize, inputs: usize) -> i64 {
+    (36 + 3 * terms + 4 * inputs).div_ceil(32) as i64
 }
 
 fn without_second_rates<'s>(kinematics: &Kinematics<'s>) -> Kinematics<'s> {

@@ -63,6 +63,8 @@ use crate::ir::graph::Id;
 use crate::model::acting::Effort;
 use crate::model::mechanism::PointId;
 
+#[cfg(test)]
+pub(super) use dynamics::share_of_a_pivot;
 pub(super) use dynamics::{equations, every_input_moves_mass};
 pub(super) use friction::is_offered as is_known_beside_friction;
 #[cfg(test)]
@@ -111,29 +113,27 @@ fn efforts(kinematics: &Kinematics<'_>) -> Vec<Id> {
 
 /// Values of an effort that needs no joint reaction; none for any other effort.
 fn alone<'s>(kinematics: &Kinematics<'s>, effort: Effort) -> Option<Vec<Sym<'s>>> {
+    let is_of_power = kinematics.mechanism.dynamics.is_of_power(effort);
+    is_of_power.then(|| of_power(kinematics, effort))
+}
+
+fn of_power<'s>(kinematics: &Kinematics<'s>, effort: Effort) -> Vec<Sym<'s>> {
     match effort {
-        Effort::Input(input) => Some(vec![power::effort(kinematics, input)]),
-        Effort::Pull => Some(vec![kinematics.value_of_pull()]),
-        Effort::Unknown(unknown) => Some(vec![power::effort_at(kinematics, unknown)]),
-        Effort::Spring(spring) => Some(vec![springs::effort(kinematics, spring.index())]),
-        Effort::Stop(stop) => Some(vec![stops::effort(kinematics, stop.index())]),
-        Effort::Gap(stop) => Some(vec![stops::gap(kinematics, stop.index())]),
-        Effort::Shaking => Some(together::shaking(kinematics).into()),
+        Effort::Input(input) => vec![power::effort(kinematics, input)],
+        Effort::Pull => vec![kinematics.value_of_pull()],
+        Effort::Unknown(unknown) => vec![power::effort_at(kinematics, unknown)],
+        Effort::Spring(spring) => vec![springs::effort(kinematics, spring.index())],
+        Effort::Stop(stop) => vec![stops::effort(kinematics, stop.index())],
+        Effort::Gap(stop) => vec![stops::gap(kinematics, stop.index())],
+        Effort::Shaking => together::shaking(kinematics).into(),
         Effort::Formula(id) => {
             let formula = &kinematics.mechanism.dynamics.formulas[id.index()];
-            let read = formula.reads.iter().map(|read| Some((*read, alone(kinematics, *read)?)));
-            let read: HashMap<_, _> = read.collect::<Option<_>>()?;
+            let read = formula.reads.iter().map(|read| (*read, of_power(kinematics, *read)));
+            let read: HashMap<_, _> = read.collect();
             let part = |effort, part: usize| read[&effort][part];
-            Some(vec![kinematics.jet_of(&formula.value, &part).value])
+            vec![kinematics.jet_of(&formula.value, &part).value]
         }
-        Effort::Drive(_)
-        | Effort::Push(_)
-        | Effort::Pin(..)
-        | Effort::Bearing(..)
-        | Effort::Guide(_)
-        | Effort::PinFriction(..)
-        | Effort::GuideFriction(_)
-        | Effort::Losses => None,
+        _ => unreachable!("a walk finds every other effort"),
     }
 }
 

@@ -4,7 +4,7 @@
 
 use crate::equations::derive;
 use crate::equations::forces::{
-    Walk, accelerations, energy, equations, every_input_moves_mass, in_motion,
+    Walk, accelerations, energy, equations, every_input_moves_mass, in_motion, share_of_a_pivot,
 };
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::GraphBuilder;
@@ -281,4 +281,13 @@ fn the_spread_of_a_pivot_is_as_by_hand() {
             assert!((found - expected).abs() < 16.0 * f64::EPSILON, "{found} {expected}");
         }
     }
+}
+
+/// The run-time crate solves for some of the inputs under the same bound.
+#[test]
+fn pivots_of_told_motions_have_the_same_rounding() {
+    let share = share_of_a_pivot(30, 5) as f64;
+    assert_eq!(linkage_core::private::ROUNDINGS_OF_A_PIVOT, 16.0 * share);
+    assert_eq!(share_of_a_pivot(31, 5), 5);
+    assert!(share_of_a_pivot(40, 5) > 5);
 }

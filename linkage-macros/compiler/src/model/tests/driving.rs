@@ -14,10 +14,10 @@ fn asked(base: &str, statements: &str) -> Vec<String> {
 #[test]
 fn the_load_stands_in_place_of_the_drive() {
     let all = asked(CRANK, &format!("{PULL} force (0, pull) on B; drive t by pull;"));
-    assert_eq!(all, ["pull", "AB.drive", "AB.A"]);
-    let some = "output pull, AB.A, twice = 2 * pull, AB.drive;";
+    assert_eq!(all, ["pull", "AB.A"]);
+    let some = "output pull, AB.A, twice = 2 * pull;";
     let all = asked(CRANK, &format!("{PULL} force (0, pull) on B; drive t by pull; {some}"));
-    assert_eq!(all, ["pull", "AB.A", "AB.drive", "twice"]);
+    assert_eq!(all, ["pull", "AB.A", "twice"]);
     // The other loads are given, in their order.
     let statements = "load first: force; load pull: torque; load last: force; torque pull on AB; \
                       force (first, last) on B; drive t by pull;";
@@ -26,6 +26,32 @@ fn the_load_stands_in_place_of_the_drive() {
     let loads: Vec<_> = dynamics.loads.iter().map(|load| load.name.to_string()).collect();
     assert_eq!(loads, ["first", "last"]);
     assert_eq!(dynamics.driven().expect("one drives").1.name, "pull");
+}
+
+/// A crank's own drive is none where the input that a load drives moves nothing else, and some where it does.
+#[test]
+fn the_drive_of_a_crank_is_put_in_by_the_load() {
+    const NONE: &str =
+        "AB: `pull` drives `AB` by `t`; ask for `pull` / a drive of its own would put in nothing";
+    let driven = format!("{PULL} force (0, pull) on B; drive t by pull; output AB.drive;");
+    check(&[(CRANK, &driven, NONE)]);
+    for other in [
+        "crank EF(D) -> F { length: 1, angle: t }",
+        "crank EF(D) -> F { length: 1, angle: 2 * t + 1rad }",
+        "let twice = 2 * t; crank EF(D) -> F { length: 1, angle: 1rad - sin(twice) * 1rad }",
+        "point F at (1m * sin(t), 0);",
+        "point F on AB at (0.1m, 0.1m * t);",
+        "point F on AB at polar (0.1m, t);",
+        "guide rail through (1m * t, 0) along 0deg; slider ram(rail) -> F { slide: 1m }",
+        "guide rail through (1m, 0) along t; slider ram(rail) -> F { slide: 1m }",
+        "guide rail through (1m, 0) along 10deg; slider ram(rail) -> F { slide: 1m * t }",
+        "guide rail through (1m, 0) along 10deg; slider ram(rail) -> F { slide: 1m, offset: 0.1m * t }",
+        "rrr BF(B), DF(D) -> F { lengths: (1.5, 1.5 + 0.1 * cos(t)), mode: left }",
+    ] {
+        let moved =
+            format!("{other} {driven}").replace("mass 1kg on B;", "mass 1kg on AB at (1, 0);");
+        check(&[(CRANK, &moved, "")]);
+    }
 }
 
 #[test]
