@@ -14,15 +14,22 @@
   };
   const texts = (root) => [...root.querySelectorAll("text")].filter((text) => isSeen(text) && text.textContent.trim())
     .map((text) => [text.textContent, letters(text), text]);
+  /// Places along a path in its own axes. Few paths change their shape when the machine moves.
+  const known = new Map();
+  const along = (path) => {
+    const d = path.getAttribute("d");
+    if (!known.has(d)) {
+      const length = d ? path.getTotalLength() : 0;
+      known.set(d, Array.from({ length: Math.ceil(length / 2) }, (_, k) => path.getPointAtLength(2 * k)));
+    }
+    return known.get(d);
+  };
   /// Places that a name must not lie on, each with what is there and how far it reaches.
   const solid = () => {
     const found = [];
     for (const path of nodes.bodies.querySelectorAll(".bar, .rod, .plate, .tube")) {
-      const length = path.getAttribute("d") ? path.getTotalLength() : 0, m = path.getCTM();
-      for (let far = 0; far < length; far += 2) {
-        const { x, y } = path.getPointAtLength(far);
-        found.push([m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f, path.getAttribute("class"), 1.5]);
-      }
+      const m = path.getCTM(), kind = path.getAttribute("class");
+      for (const { x, y } of along(path)) found.push([m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f, kind, 1.5]);
     }
     for (const block of [...nodes.bodies.querySelectorAll(".block")].filter(isSeen)) {
       const m = block.getCTM();

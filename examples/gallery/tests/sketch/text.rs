@@ -107,12 +107,16 @@ fn a_film_is_written_in_twenty_milliseconds() {
     let most = if cfg!(debug_assertions) { 100.0 } else { 20.0 };
     // Other work of the machine can only make a film slower, so the quickest of several times is its own.
     let least = |film: &Film| {
-        let times = (0..31).map(|_| {
+        let mut least = f64::INFINITY;
+        for _ in 0..31 {
             let start = Instant::now();
             std::hint::black_box(film.to_svg().unwrap());
-            start.elapsed().as_secs_f64() * 1e3
-        });
-        times.fold(f64::INFINITY, f64::min)
+            least = least.min(start.elapsed().as_secs_f64() * 1e3);
+            if least < most {
+                break;
+            }
+        }
+        least
     };
     for piece in pieces() {
         let (time, size) = (least(&piece.film), piece.film.to_svg().unwrap().len());
