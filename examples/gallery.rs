@@ -1,6 +1,6 @@
 //! A site of every mechanism of the examples, by kind and animated: `target/gallery/index.html`.
 //!
-//! The gallery is a package of its own, since it needs `linkage-core`'s feature `sketch`, which Cargo
+//! The gallery is a package of its own, since it needs `linkage-core`'s feature `page`, which Cargo
 //! would switch on for every example beside it. This program runs it.
 
 use std::env;

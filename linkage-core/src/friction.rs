@@ -351,7 +351,7 @@ impl<const W: usize, const M: usize> System<f64, W, M> {
 }
 
 /// Solutions and their steps, by all of the search and by guarded steps alone: beside those of a page's script.
-#[cfg(all(test, feature = "sketch"))]
+#[cfg(all(test, feature = "page"))]
 impl<const W: usize, const M: usize> System<f64, W, M> {
     pub(crate) fn in_steps(&self) -> [Option<([f64; M], usize)>; 2] {
         let (start, _) = self.linear([0.0; M], &mut libm::hypot);

@@ -109,9 +109,9 @@
 //! - `serde`: every record of a mechanism, points, directions, modes and what searches find are written
 //!   and read by their fields' names; errors and ranges are written. Without it nothing is generated for
 //!   it.
-//! - `sketch`: pictures and films of mechanisms, and pages on which they are dragged; every solver has
-//!   `sketch`, `film` and `page` then. It needs the standard library and
-//!   nothing else, and changes nothing of the solvers.
+//! - `sketch`: pictures and films of mechanisms; every solver has `sketch` and `film` then. It needs the
+//!   standard library and nothing else, and changes nothing of the solvers.
+//! - `page`: pages on which mechanisms are dragged; every solver has `page` then, and all of `sketch`.
 //!
 //! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no
 //! solver panics.

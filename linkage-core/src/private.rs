@@ -35,9 +35,11 @@ pub use crate::roots::unknown::{open, root, root_within_a_turn};
 pub use crate::scalar::is_finite_unless;
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{
-    Applied, Declared, Drawn, Element, Film, Member, Page, Paged, Plan, Sketch, Spring, applied,
-    followed, place, place_open,
+    Applied, Drawn, Element, Film, Member, Plan, Sketch, Spring, applied, followed, place,
+    place_open,
 };
+#[cfg(feature = "page")]
+pub use crate::sketch::{Declared, Page, Paged};
 pub use crate::slow_path::{apart, diagnose, diagnose_all};
 pub use crate::solver::{Solver, Titles};
 pub use crate::sweep::kinds::*;
@@ -46,6 +48,7 @@ pub use crate::sweep::{
 };
 pub use crate::unavailable::*;
 pub use crate::with_ad_ as with_ad;
+pub use crate::with_page_ as with_page;
 pub use crate::with_serde_ as with_serde;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
@@ -111,6 +114,22 @@ macro_rules! with_sketch_ {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! with_sketch_ {
+    ($($code:tt)*) => {};
+}
+
+/// Its argument where the feature `page` is on.
+#[cfg(feature = "page")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_page_ {
+    ($($code:tt)*) => { $($code)* };
+}
+
+/// Nothing, as the feature `page` is off.
+#[cfg(not(feature = "page"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_page_ {
     ($($code:tt)*) => {};
 }
 

@@ -22,7 +22,7 @@ pub(crate) use cubic::Cubic;
 use equation::Equation;
 pub(crate) use equation::{crossing, differentiated};
 pub(crate) use lowest::lowest;
-#[cfg(all(test, feature = "sketch"))]
+#[cfg(all(test, feature = "page"))]
 pub(crate) use survey::judged;
 
 use crate::Real;

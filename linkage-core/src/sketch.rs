@@ -40,35 +40,7 @@
 //! One picture suits light and dark pages: a browser replaces its colours where the reader prefers a dark
 //! scheme, other programs show it light. `theme` fixes either.
 //!
-//! # Pages on which a mechanism is dragged
-//!
-//! ```
-//! # use linkage_core::mechanism;
-//! # mechanism! {
-//! #     struct Rocker {
-//! #         input theta: angle;
-//! #         param crank = 80mm;
-//! #         ground A(0, 0), D(665.7mm, 0);
-//! #         crank AB(A) -> B        { length: crank, angle: theta }
-//! #         rrr   BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: right }
-//! #         point blade on BC at (500mm, -60mm);
-//! #     }
-//! # }
-//! let page = Rocker::new().page().title("A rocker").range("crank", 0.05..=0.2).rate("theta", 12.0);
-//! let html = page.traces(["blade"]).curves(["blade", "DC"]).to_html()?;
-//! assert!(html.contains("<title>A rocker</title>") && !html.contains("src="));
-//! # Ok::<(), linkage_core::sketch::SketchError>(())
-//! ```
-//!
-//! A [`Page`] is one HTML file: the macro prints the formulas as JavaScript, and the page's own script needs no
-//! library and nothing of the network. A crank's pin turns its crank, also into a pose that cannot be
-//! assembled, which shows what is missing; any other point takes the inputs with it that bring it nearest, and
-//! stays where the machine ends. Arrow keys move the input, with Shift ten times as far; space plays. The
-//! address holds the state, so that it can be sent. A length input needs a `range` or a `path`. Velocities,
-//! accelerations and forces are those at a constant rate of the input that curves are drawn over. The numbers
-//! are the solver's to the last bit, but for `tan`, `hypot` and angles beyond 2²⁰ rad, where browsers differ by a
-//! unit in the last place; on targets with fused operations the solver itself rounds otherwise. An `unknown` is
-//! searched as the solver searches it.
+//! With the feature `page`, `page` of a solver writes an HTML file on which the mechanism is dragged.
 //!
 //! # Units
 //!
@@ -86,6 +58,7 @@ mod gaps;
 mod labels;
 mod member;
 mod options;
+#[cfg(feature = "page")]
 mod page;
 mod picture;
 mod placing;
@@ -106,7 +79,9 @@ pub use by_name::LinkPose;
 pub use film::{Film, FilmGap};
 #[doc(hidden)]
 pub use member::Member;
+#[cfg(feature = "page")]
 pub use page::Page;
+#[cfg(feature = "page")]
 #[doc(hidden)]
 pub use page::{Declared, Paged};
 pub use plan::{Applied, Drawn};

@@ -109,15 +109,15 @@ conditions! {
     HasDrawings
 }
 
-#[cfg(feature = "sketch")]
+#[cfg(not(feature = "page"))]
 conditions! {
-    /// Nothing is searched.
+    /// The feature `page` is on.
     #[diagnostic::on_unimplemented(
-        message = "this mechanism has no `page`: its `unknown` is searched for, which a page does not do",
-        label = "there is no page",
-        note = "`film` draws it along a path"
+        message = "this needs the feature `page` of `linkage-core`",
+        label = "writes a page on which the mechanism is dragged",
+        note = "enable it: `cargo add linkage-core --features page`"
     )]
-    SearchesNothing
+    HasPages
 }
 
 /// Methods that no solver has, each under a condition. Editors offer none of them: what is hidden in
@@ -162,10 +162,8 @@ macro_rules! of_what_may_be_absent {
                 sketch(Q): HasDrawings;
                 #[cfg(not(feature = "sketch"))]
                 film(P): HasDrawings;
-                #[cfg(not(feature = "sketch"))]
-                page(): HasDrawings;
-                #[cfg(feature = "sketch")]
-                page(): SearchesNothing;
+                #[cfg(not(feature = "page"))]
+                page(): HasPages;
             }
         }
 

@@ -32,6 +32,7 @@ use proc_macro::TokenStream;
 pub fn mechanism(source: TokenStream) -> TokenStream {
     let mut options = Options::default();
     options.sketch = cfg!(feature = "sketch");
+    options.page = cfg!(feature = "page");
     options.serde = cfg!(feature = "serde");
     linkage_compiler::compile(source.into(), &options).tokens.into()
 }

@@ -321,7 +321,7 @@ impl<T: Real> Survey<T> {
 
 /// True if a piece is clear, 1 or −1 for its only turn and zero for none, and the error of its halves by the sample in
 /// the middle: beside what the script of a page finds.
-#[cfg(all(test, feature = "sketch"))]
+#[cfg(all(test, feature = "page"))]
 pub(crate) fn judged(ends: [At<f64>; 2], error: f64, middle: At<f64>) -> (bool, f64, f64) {
     let open = Open { ends, error };
     (open.is_clear(), open.only_turn().unwrap_or(0.0), open.remainder_of_halves(middle))

@@ -19,6 +19,8 @@ use crate::{codegen, equations, lower, model, passes, syntax};
 pub struct Options {
     /// The program by which the mechanism is drawn, for the feature `sketch` of `linkage-core`.
     pub sketch: bool,
+    /// The script of its page, for the feature `page` of `linkage-core`; needs `sketch`.
+    pub page: bool,
     /// Records that serde writes and reads, for the feature `serde` of `linkage-core`.
     pub serde: bool,
 }
@@ -26,11 +28,11 @@ pub struct Options {
 #[cfg(test)]
 impl Options {
     /// Nothing beside the solver.
-    pub(crate) const NONE: Self = Self { sketch: false, serde: false };
-    /// The solver and what it is drawn by.
-    pub(crate) const SKETCH: Self = Self { sketch: true, serde: false };
+    pub(crate) const NONE: Self = Self { sketch: false, page: false, serde: false };
+    /// The solver, what it is drawn by, and its page.
+    pub(crate) const PAGE: Self = Self { sketch: true, page: true, serde: false };
     /// All that can be generated.
-    pub(crate) const ALL: Self = Self { sketch: true, serde: true };
+    pub(crate) const ALL: Self = Self { sketch: true, page: true, serde: true };
 }
 
 /// Generated code and mistakes.
@@ -61,8 +63,8 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     match (resolved, diagnostics.finish()) {
         (Some(Ok(mechanism)), Ok(())) => {
             let placing = options.sketch.then(|| placing(&mechanism));
-            let text = options.sketch.then(|| text(&source));
-            let drawn = placing.as_ref().zip(text.as_deref());
+            let text = options.page.then(|| text(&source));
+            let drawn = placing.as_ref().map(|program| (program, text.as_deref()));
             let tokens = code(&mechanism, &program(&mechanism), drawn, options);
             Output { tokens, diagnostics: Vec::new() }
         }
@@ -194,7 +196,7 @@ fn text(source: &TokenStream) -> String {
 fn code(
     mechanism: &Mechanism,
     program: &Program,
-    drawn: Option<(&Program, &str)>,
+    drawn: Option<(&Program, Option<&str>)>,
     options: &Options,
 ) -> TokenStream {
     // Every statement of every function is decided; what is left is to print them.
@@ -220,6 +222,6 @@ pub(crate) fn stub(
     let is_pushed = declaration.statements.iter().any(|statement| statement.kind.is_force());
     let drawn = std::iter::repeat_n((None, 0), if is_pushed { 2 } else { 1 });
     let nothing = options.sketch.then(|| Program::of_zeros(drawn));
-    let drawn = nothing.as_ref().map(|nothing| (nothing, ""));
+    let drawn = nothing.as_ref().map(|nothing| (nothing, options.page.then_some("")));
     code(mechanism, &Program::of_zeros(answers), drawn, options)
 }

@@ -79,11 +79,14 @@ fn a_link_that_is_not_read_brings_one_message() {
 /// Each option adds code and takes none away.
 #[test]
 fn options_add_to_the_solver() {
-    let length = |sketch: bool, serde: bool| {
+    let length = |sketch: bool, page: bool, serde: bool| {
         let mut options = Options::default();
-        (options.sketch, options.serde) = (sketch, serde);
+        (options.sketch, options.page, options.serde) = (sketch, page, serde);
         compile(SHEAR.parse().expect("tokens"), &options).tokens.to_string().len()
     };
-    let plain = length(false, false);
-    assert!(plain < length(true, false) && plain < length(false, true));
+    let plain = length(false, false, false);
+    let drawn = length(true, false, false);
+    assert!(plain < drawn && drawn < length(true, true, false));
+    assert!(plain < length(false, false, true));
+    assert_eq!(plain, length(false, true, false), "a page is made of what is drawn");
 }

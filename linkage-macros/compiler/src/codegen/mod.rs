@@ -53,10 +53,10 @@ use self::context::Context;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
-/// The sources of a drawing: the program that places everything, and the declaration's text.
+/// The sources of a drawing: the program that places everything, and of a page the declaration's text.
 pub(crate) struct Drawing<'a> {
     pub placing: Lowered<'a>,
-    pub source: &'a str,
+    pub source: Option<&'a str>,
 }
 
 /// Everything that the declaration of a mechanism expands to; what it is drawn by only where that is

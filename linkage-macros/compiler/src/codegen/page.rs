@@ -15,12 +15,12 @@ use crate::interface::units_in_words::unit;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::{Dimension, Mechanism, Param, ParamKind};
 
-/// The page of a mechanism. `cx` is the solver's in `f64`, `source` the declaration's text.
+/// The page of a mechanism, and nothing where the run-time crate has no feature `page`. `cx` is the solver's in `f64`, `source` the declaration's text.
 pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> TokenStream {
     let mechanism = cx.mechanism;
     let (name, float) = (&cx.names.solver, &cx.names.scalar);
-    let [paged, declared, vec, page] =
-        ["Paged", "Declared", "Vec", "Page"].map(|name| cx.paths.item(name));
+    let [with_page, paged, declared, vec, page] =
+        ["with_page", "Paged", "Declared", "Vec", "Page"].map(|name| cx.paths.item(name));
     let script = script::object(mechanism, solver, cx.lowered);
     let inputs = mechanism.inputs.iter();
     let inputs = inputs.map(|input| number(&input.name, in_si(input.dimension), &input.docs));
@@ -31,6 +31,7 @@ pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> Tok
     let outputs = shown(mechanism).join("\n");
     let values = mechanism.params.iter().map(|param| value(cx, param));
     quote! {
+        #with_page! {
         impl #paged for #name<#float> {
             const PAGE: #declared =
                 #declared::new([#script, #source, #inputs, #params, #loads, #outputs]);
@@ -46,6 +47,7 @@ pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> Tok
             pub fn page(&self) -> #page<Self> {
                 #page::of(self)
             }
+        }
         }
     }
 }

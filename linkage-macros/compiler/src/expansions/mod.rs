@@ -73,7 +73,7 @@ impl Expansion {
         let messages = fuzz::messages(expansion.clone());
         assert!(messages.is_empty(), "{}: {messages:?}", declaration.name);
         let exported =
-            pipeline::compile(parts::exported(&declaration.tokens), &Options::SKETCH).tokens;
+            pipeline::compile(parts::exported(&declaration.tokens), &Options::PAGE).tokens;
         let header = parts::header(exported.clone());
         let script = scripts::of(exported.clone());
         let hashes = Hashes {
@@ -273,7 +273,7 @@ fn a_drawing_changes_nothing_of_the_solver_and_is_a_third_of_it_at_most() {
             continue;
         }
         let plain = pipeline::compile(declaration.tokens.clone(), &Options::NONE).tokens;
-        let drawn = pipeline::compile(declaration.tokens.clone(), &Options::SKETCH).tokens;
+        let drawn = pipeline::compile(declaration.tokens.clone(), &Options::PAGE).tokens;
         let (solver, drawing) = taken_apart(drawn);
         assert_eq!(exact(solver.clone()), exact(plain), "{}", declaration.name);
         let (solver, drawing) = (count(solver), count(drawing));

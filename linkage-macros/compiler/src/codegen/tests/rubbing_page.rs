@@ -8,7 +8,7 @@ fn code(statement: &str) -> String {
         "pub struct Block {{ input s: length; guide slope through (0, 0) along 20deg;
          slider block(slope) -> P {{ slide: s }} mass 5kg on block at (0, 0); {statement} }}"
     );
-    let output = compile(source.parse().expect("these are tokens"), &Options::SKETCH);
+    let output = compile(source.parse().expect("these are tokens"), &Options::PAGE);
     assert!(output.diagnostics.is_empty(), "{:?}", output.diagnostics);
     output.tokens.to_string()
 }
@@ -29,7 +29,7 @@ fn a_script_lists_the_equations_of_friction() {
     let source = "pub struct Press { input theta: angle; ground A(0, 0); guide bed through A along 0deg;
          crank AB(A) -> B { length: 60mm, angle: theta } rrp BC(B), ram(bed) -> C { length: 240mm, mode: ahead }
          mass 6kg on ram at (0, 0); friction 0.1 at B radius 45mm; friction 0.2 on ram; output theta.drive; }";
-    let output = compile(source.parse().expect("these are tokens"), &Options::SKETCH);
+    let output = compile(source.parse().expect("these are tokens"), &Options::PAGE);
     assert!(output.diagnostics.is_empty(), "{:?}", output.diagnostics);
     let code = output.tokens.to_string();
     let (calls, of_both) = ("amountsOf(c, [", "]], 2, [\\\"BC.B\\\", \\\"ram\\\"], [");

@@ -51,7 +51,7 @@ fn every_name_reaches_the_output_with_its_own_span_wherever_it_stands() {
     let names: HashSet<&str> = NAMES.split_whitespace().collect();
     let (mut written, mut made) = (Vec::new(), Vec::new());
     identifiers(source.clone(), &mut written);
-    identifiers(pipeline::compile(source, &Options::SKETCH).tokens, &mut made);
+    identifiers(pipeline::compile(source, &Options::PAGE).tokens, &mut made);
     let made: HashSet<_> = made.into_iter().collect();
     let mut seen = HashSet::new();
     for identifier in &written {
