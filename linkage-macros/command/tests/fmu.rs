@@ -1,5 +1,6 @@
 //! FMUs: FMPy validates them and simulates them, and its numbers are those of the solver in Rust.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -114,6 +115,40 @@ fn a_kinematic_fmu_computes_the_motion_and_says_who_refuses() {
     assert_eq!(refusals.len(), 2);
     for line in refusals {
         assert!(line.join(" ").ends_with("BC, ram cannot be assembled"), "{line:?}");
+    }
+}
+
+/// Every variable has the unit of what it is, and every unit its powers of kilogram, metre, second and radian.
+#[test]
+fn variables_have_units_by_their_dimensions() {
+    let archive = fs::read(fmu("press", "units.fmu", &[])).expect("it was written");
+    // What the archive holds is not compressed.
+    let text = String::from_utf8_lossy(&archive);
+    let variables: Vec<_> = text.lines().filter(|line| line.contains("<Float64 ")).collect();
+    assert!(variables.len() == 25 && variables.iter().all(|line| line.contains(" unit=\"")));
+    for (name, unit, powers) in [
+        ("time", "s", " s=\"1\""),
+        ("theta", "rad", " rad=\"1\""),
+        ("theta_rate", "rad/s", " s=\"-1\" rad=\"1\""),
+        ("theta_acceleration", "rad/s²", " s=\"-2\" rad=\"1\""),
+        ("drive of theta", "N·m", " kg=\"1\" m=\"2\" s=\"-2\""),
+        ("work", "N", " kg=\"1\" m=\"1\" s=\"-2\""),
+        ("counterweight", "kg", " kg=\"1\""),
+        ("rod", "m", " m=\"1\""),
+        ("C.x", "m", " m=\"1\""),
+        ("velocity of C.y", "m/s", " m=\"1\" s=\"-1\""),
+        ("acceleration of C.y", "m/s²", " m=\"1\" s=\"-2\""),
+        ("BC.sin", "1", ""),
+        ("BC.omega", "rad/s", " s=\"-1\" rad=\"1\""),
+        ("BC.C.x", "N", " kg=\"1\" m=\"1\" s=\"-2\""),
+        ("ram.way.couple", "N·m", " kg=\"1\" m=\"2\" s=\"-2\""),
+        ("kinetic energy", "N·m", " kg=\"1\" m=\"2\" s=\"-2\""),
+    ] {
+        let of_name = format!(" name=\"{name}\"");
+        let line = variables.iter().find(|line| line.contains(&of_name)).expect(name);
+        assert!(line.contains(&format!(" unit=\"{unit}\"")), "{line}");
+        let base = format!("<Unit name=\"{unit}\">\n      <BaseUnit{powers}/>\n");
+        assert_eq!(text.matches(&base).count(), 1, "{base}");
     }
 }
 

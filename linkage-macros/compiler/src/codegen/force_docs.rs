@@ -5,6 +5,7 @@ use proc_macro2::TokenStream;
 use super::context::Context;
 use super::doc_comments::{after, lines};
 use super::identifiers::text;
+use crate::interface::dimensions::{effort_along, of_effort};
 use crate::interface::force_records::path;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
@@ -173,41 +174,14 @@ fn spring(cx: &Context<'_>, id: SpringId) -> String {
 /// The unit of an effort that is one number.
 pub(super) fn unit_of(mechanism: &Mechanism, effort: Effort) -> String {
     match effort {
-        Effort::Input(id) => effort_unit(mechanism.inputs[id.index()].dimension),
-        Effort::Unknown(id) => effort_unit(mechanism.unknowns[id.index()].dimension),
-        Effort::Drive(link) => {
-            let drive = mechanism.group_with(link).and_then(|group| group.outer[0].drive.as_ref());
-            let slides = matches!(drive, Some(Drive::Slide(_)));
-            effort_unit(if slides { Dimension::LENGTH } else { Dimension::ANGLE })
-        }
-        Effort::Spring(id) => match mechanism.dynamics.springs[id.index()].ends {
-            Ends::Points(_) => "N".to_string(),
-            Ends::Bodies(_) => "N·m".to_string(),
-        },
-        Effort::Stop(id) => effort_unit(mechanism.dynamics.stops[id.index()].of.dimension()),
-        Effort::Gap(id) => {
-            unit(mechanism.dynamics.stops[id.index()].of.dimension(), Order::Position)
-        }
-        Effort::PinFriction(..) => "N·m".to_string(),
         Effort::Losses => "W".to_string(),
-        Effort::Pull => {
-            let load = mechanism.dynamics.pull.as_ref();
-            load.map_or(String::new(), |load| unit(load.dimension, Order::Position))
-        }
-        Effort::Formula(id) => {
-            unit(mechanism.dynamics.formulas[id.index()].dimension, Order::Position)
-        }
-        _ => "N".to_string(),
+        _ => unit(of_effort(mechanism, effort), Order::Position),
     }
 }
 
-/// The effort whose product with a rate is a power.
+/// The unit of the effort whose product with a rate is a power.
 fn effort_unit(dimension: Dimension) -> String {
-    match dimension.length {
-        0 => "N·m".to_string(),
-        1 => "N".to_string(),
-        _ => unit(dimension, Order::Position),
-    }
+    unit(effort_along(dimension), Order::Position)
 }
 
 /// The drive of a crank or a slider: its couple or force, and the body that it reacts against.

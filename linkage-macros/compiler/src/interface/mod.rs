@@ -6,6 +6,7 @@
 
 mod catalogue;
 pub(crate) mod components;
+pub(crate) mod dimensions;
 pub(crate) mod entries;
 pub(crate) mod force_records;
 pub(crate) mod labels;

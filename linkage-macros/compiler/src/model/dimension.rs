@@ -23,6 +23,8 @@ impl Dimension {
     pub(crate) const FORCE: Self = Self { length: 1, mass: 1, time: -2, angle: false };
 
     pub(crate) const TORQUE: Self = Self { length: 2, ..Self::FORCE };
+    /// A watt.
+    pub(crate) const POWER: Self = Self { time: -3, ..Self::TORQUE };
     pub(crate) const INERTIA: Self = Self { length: 2, mass: 1, ..Self::NUMBER };
 
     /// True for a number or an angle, which counts as one.

@@ -11,12 +11,12 @@ use crate::codegen::c_export::c_identifiers::{Width, snake_case};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
+use crate::interface::dimensions::{effort_along, of_result};
 use crate::interface::entries::{Analysis, ArgumentKind, Entry};
 use crate::interface::quantity::Order;
-use crate::interface::units_in_words::unit;
 use crate::interface::{Interface, labels};
 use crate::lower::routine::Lowered;
-use crate::model::mechanism::{Mechanism, ParamKind};
+use crate::model::mechanism::{Dimension, Mechanism, ParamKind};
 
 /// The text that all FMUs share.
 const FMI3: &str = include_str!("fmi/fmi3.c");
@@ -25,9 +25,12 @@ const FMI3: &str = include_str!("fmi/fmi3.c");
 struct Variable {
     name: String,
     role: Role,
-    unit: String,
+    measure: Measure,
     start: f64,
 }
+
+/// A dimension, and the order of the derivative by time.
+type Measure = (Dimension, Order);
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Role {
@@ -110,7 +113,12 @@ pub(crate) fn generate(
 impl<'a> Model<'a> {
     fn new(to: In<'a>, is_kinematic: bool) -> Self {
         let is_dynamic = !is_kinematic && of_drives(to.cx.interface).is_some();
-        let time = Variable { name: "time".into(), role: Role::Time, unit: "s".into(), start: 0.0 };
+        let time = Variable {
+            name: "time".into(),
+            role: Role::Time,
+            measure: (Dimension::TIME, Order::Position),
+            start: 0.0,
+        };
         let mut model =
             Self { to, variables: vec![time], is_dynamic, first: [0; 7], groups: Vec::new() };
         model.add_inputs();
@@ -118,19 +126,19 @@ impl<'a> Model<'a> {
         model.first[PARAMETERS] = model.variables.len();
         for param in &to.cx.mechanism.params {
             if let ParamKind::Number { dimension, default, .. } = &param.kind {
-                let unit = unit(*dimension, Order::Position);
-                model.add(text(&param.name), Role::Parameter, unit, default.to_f64());
+                let measure = (*dimension, Order::Position);
+                model.add(text(&param.name), Role::Parameter, measure, default.to_f64());
             }
         }
         model.add_outputs();
         model
     }
 
-    fn add(&mut self, mut name: String, role: Role, unit: String, start: f64) {
+    fn add(&mut self, mut name: String, role: Role, measure: Measure, start: f64) {
         while self.variables.iter().any(|variable| variable.name == name) {
             name.push('_');
         }
-        self.variables.push(Variable { name, role, unit, start });
+        self.variables.push(Variable { name, role, measure, start });
     }
 
     /// The inputs, their rates and their second rates.
@@ -153,8 +161,8 @@ impl<'a> Model<'a> {
                     Order::Velocity => Role::State(Some(lower)),
                     Order::Acceleration => Role::Rate(lower),
                 };
-                let unit = unit(input.dimension, order);
-                self.add(format!("{}{ending}", text(&input.name)), role, unit, start);
+                let measure = (input.dimension, order);
+                self.add(format!("{}{ending}", text(&input.name)), role, measure, start);
             }
         }
     }
@@ -165,16 +173,16 @@ impl<'a> Model<'a> {
         self.first[kind(ArgumentKind::Drives)] = self.variables.len();
         let driven = if self.is_dynamic { &mechanism.inputs[..] } else { &[] };
         for input in driven {
-            let unit = if input.dimension.angle { "N·m" } else { "N" };
-            self.add(format!("drive of {}", text(&input.name)), Role::Input, unit.into(), 0.0);
+            let measure = (effort_along(input.dimension), Order::Position);
+            self.add(format!("drive of {}", text(&input.name)), Role::Input, measure, 0.0);
         }
         self.first[kind(ArgumentKind::Loads)] = self.variables.len();
         if !self.is_dynamic && !self.to.cx.interface.has(Analysis::Forces) {
             return;
         }
         for load in &mechanism.dynamics.loads {
-            let unit = unit(load.dimension, Order::Position);
-            self.add(text(&load.name), Role::Input, unit, 0.0);
+            let measure = (load.dimension, Order::Position);
+            self.add(text(&load.name), Role::Input, measure, 0.0);
         }
     }
 
@@ -183,8 +191,9 @@ impl<'a> Model<'a> {
         for entry in SHOWN.iter().filter_map(|of| interface.find(of.by_value())) {
             let entry = interface.entry(entry);
             let group = Computed { entry, first: self.variables.len() };
-            for name in self.names(entry) {
-                self.add(name, Role::Output(self.groups.len()), String::new(), 0.0);
+            let measures = of_result(interface, self.to.cx.mechanism, entry);
+            for (name, measure) in self.names(entry).into_iter().zip(measures) {
+                self.add(name, Role::Output(self.groups.len()), measure, 0.0);
             }
             self.groups.push(group);
         }

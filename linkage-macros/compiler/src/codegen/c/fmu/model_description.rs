@@ -1,9 +1,13 @@
 //! The description of a model in XML.
 
+use std::collections::BTreeMap;
 use std::iter::once;
 
-use super::{Model, Role, Variable};
+use super::{Measure, Model, Role, Variable};
 use crate::codegen::identifiers::text;
+use crate::interface::quantity::Order;
+use crate::interface::units_in_words::unit;
+use crate::model::mechanism::Dimension;
 
 impl Model<'_> {
     /// The description of the model.
@@ -45,17 +49,36 @@ impl Model<'_> {
         format!("{{linkage-{hash:016x}}}")
     }
 
+    /// The units of all variables, each as powers of the SI's base units.
     fn units(&self) -> String {
-        let mut units: Vec<&str> = self.variables.iter().map(|v| &v.unit[..]).collect();
-        units.sort_unstable();
-        units.dedup();
-        let named = units.into_iter().filter(|unit| !unit.is_empty());
-        let listed = named.map(|unit| format!("    <Unit name=\"{unit}\"/>\n"));
+        let units: BTreeMap<String, String> =
+            self.variables.iter().map(|v| (v.unit(), base_unit(v.measure))).collect();
+        let listed = units.iter().map(|(unit, base)| {
+            format!("    <Unit name=\"{unit}\">\n      <BaseUnit{base}/>\n    </Unit>\n")
+        });
         format!("  <UnitDefinitions>\n{}  </UnitDefinitions>\n", listed.collect::<String>())
     }
 }
 
+/// The attributes of a unit's powers. A newton is kg m/s², and a radian a unit of its own.
+fn base_unit((dimension, order): Measure) -> String {
+    let Dimension { length, mass, time, angle } = dimension;
+    let rates = match order {
+        Order::Position => 0,
+        Order::Velocity => 1,
+        Order::Acceleration => 2,
+    };
+    let powers = [("kg", mass), ("m", length), ("s", time - rates), ("rad", i32::from(angle))];
+    let powers = powers.into_iter().filter(|(_, power)| *power != 0);
+    powers.map(|(unit, power)| format!(" {unit}=\"{power}\"")).collect()
+}
+
 impl Variable {
+    fn unit(&self) -> String {
+        let (dimension, order) = self.measure;
+        unit(dimension, order)
+    }
+
     fn in_xml(&self, at: usize) -> String {
         let start = format!(" start=\"{:?}\"", self.start);
         let rest = match self.role {
@@ -77,13 +100,10 @@ impl Variable {
                 "causality=\"output\" variability=\"continuous\" initial=\"calculated\"".to_string()
             }
         };
-        let unit = match &self.unit[..] {
-            "" => String::new(),
-            unit => format!(" unit=\"{unit}\""),
-        };
         format!(
-            "    <Float64 name=\"{}\" valueReference=\"{at}\" {rest}{unit}/>\n",
-            escaped(&self.name)
+            "    <Float64 name=\"{}\" valueReference=\"{at}\" {rest} unit=\"{}\"/>\n",
+            escaped(&self.name),
+            self.unit()
         )
     }
 }
