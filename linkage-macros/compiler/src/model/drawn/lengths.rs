@@ -74,7 +74,7 @@ fn differing<'t>(bodies: &Bodies<'t>) -> Vec<Differing<'t>> {
 }
 
 /// A length to four digits.
-fn in_words(metres: f64) -> String {
+pub(super) fn in_words(metres: f64) -> String {
     let (value, unit) = if metres.abs() < 1.0 { (metres * 1e3, "mm") } else { (metres, "m") };
     let digits = (3.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 9.0) as usize;
     let text = format!("{value:.digits$}");

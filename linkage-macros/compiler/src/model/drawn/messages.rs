@@ -9,7 +9,9 @@ use crate::diagnostics::Diagnostics;
 use crate::model::acting::RequestedEffort;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
-use crate::syntax::tree::{Action, Declaration, MassSite, PointPlace, StatementKind};
+use crate::syntax::tree::{
+    Action, Declaration, DriveStatement, MassSite, PointPlace, StatementKind,
+};
 
 use super::TurnedFrame;
 use super::bodies::Bodies;
@@ -54,15 +56,8 @@ fn too_many(
     diagnostics: &mut Diagnostics,
 ) {
     let values = drives.iter().map(|&drive| bodies.drives[drive].1);
-    let written: Vec<_> = values
-        .clone()
-        .map(|drive| match &drive.to {
-            Some((to, member)) => {
-                format!("`drive {}.{} - {to}.{member}`", drive.link, drive.member)
-            }
-            None => format!("`drive {}.{}`", drive.link, drive.member),
-        })
-        .collect();
+    let written = values.clone().map(|drive| format!("`drive {}`", drive_as_written(drive)));
+    let written: Vec<_> = written.collect();
     let Some(link) = last_link(bodies, those) else { return };
     let who = named(bodies, those);
     if freedoms > 0 && freedoms < drives.len() {
@@ -99,6 +94,15 @@ fn too_many(
     let drives = written.iter().map(|drive| format!(" or {drive}")).collect::<String>();
     let reason = format!("leave out `link {link}`, or one of its joints{drives}");
     diagnostics.error_because(link.span(), message, reason);
+}
+
+/// The left side of a drive.
+pub(super) fn drive_as_written(drive: &DriveStatement) -> String {
+    let own = format!("{}.{}", drive.link, drive.member);
+    match &drive.to {
+        Some((to, member)) => format!("{own} - {to}.{member}"),
+        None => own,
+    }
 }
 
 /// The last bar that is parallel and equal to two others between the same two bodies: it holds nothing

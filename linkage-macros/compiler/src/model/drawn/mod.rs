@@ -6,6 +6,7 @@
 //! language, [`rewritten`] what else names a link, and [`sorted`] puts all of them in solving order. What
 //! comes out is resolved like any declaration, so that there is one meaning of everything.
 
+mod agreement;
 mod as_unknown;
 mod bars;
 mod bodies;
@@ -114,6 +115,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let mut bodies = reader.machine(drives, frames)?;
     bodies.machine.motions = values.motions(&bodies);
     let mut steps = steps(&bodies, values.resolver.diagnostics)?;
+    values.drives_agree(&bodies)?;
     if lengths::pose_has_declared_lengths(&mut bodies, values.resolver.diagnostics)? {
         steps = self::steps(&bodies, values.resolver.diagnostics)?;
     }

@@ -14,7 +14,6 @@ use crate::model::references::{expressions, names_used};
 use crate::model::{Resolver, units};
 use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement, StatementKind};
 
-use super::bodies::Bodies;
 use super::figures::{Figure, Pen};
 
 /// What the numbers of a drawing are.
@@ -181,40 +180,6 @@ impl<'d> Measured<'d> {
         value(&resolved.rest, self.mechanism(), inputs)
     }
 
-    /// The inputs at which the drives are as they are drawn; `None` where the drives do not determine
-    /// them.
-    pub(super) fn inputs_of_the_drawing(&mut self, bodies: &Bodies<'_>) -> Option<Vec<f64>> {
-        let count = self.mechanism().inputs.len();
-        let mut equations = Vec::new();
-        for (index, (_, drive)) in bodies.drives.iter().enumerate() {
-            let drawn = bodies.drawn_value(index)?;
-            equations.push((&drive.value, drawn));
-        }
-        for link in &bodies.links {
-            if let Some((length, None)) = &link.length {
-                let [first, second] = link.pins[..] else { continue };
-                let between = bodies.machine.pins[second] - bodies.machine.pins[first];
-                equations.push((length, between.length()));
-            }
-        }
-        let mut rows = Vec::new();
-        for (value, drawn) in equations {
-            let value = bodies.as_drawn(value, &self.pen, &[]);
-            let mut inputs = vec![0.0; count];
-            let rest = self.at_inputs(&value, &inputs)?;
-            let mut row = Vec::new();
-            for input in 0..count {
-                inputs[input] = 1.0;
-                row.push(self.at_inputs(&value, &inputs)? - rest);
-                inputs[input] = 0.0;
-            }
-            row.push(drawn - rest);
-            rows.push(row);
-        }
-        let inputs = solved(rows, count)?;
-        Some(inputs)
-    }
-
     /// What the resolver makes of something, whose mistakes are reported later.
     fn quietly<T>(&mut self, f: impl FnOnce(&mut Resolver<'_>) -> Option<T>) -> Option<T> {
         let before = self.resolver.diagnostics.count();
@@ -260,27 +225,4 @@ fn folded(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<Reso
         }
         _ => None,
     }
-}
-
-/// The solution of linear equations, each with its right side last; `None` where there is not exactly one.
-fn solved(mut rows: Vec<Vec<f64>>, count: usize) -> Option<Vec<f64>> {
-    for column in 0..count {
-        let size = |row: &Vec<f64>| row[column].abs();
-        let pivot =
-            (column..rows.len()).max_by(|&a, &b| size(&rows[a]).total_cmp(&size(&rows[b])))?;
-        rows.swap(column, pivot);
-        let pivot = rows[column].clone();
-        // Coefficients are ratios of gears and lengths of racks: far from rounding errors.
-        if pivot[column].abs() < 1e-9 {
-            return None;
-        }
-        for (index, row) in rows.iter_mut().enumerate() {
-            let factor = row[column] / pivot[column];
-            if index != column {
-                row.iter_mut().zip(&pivot).for_each(|(value, pivot)| *value -= factor * pivot);
-            }
-        }
-    }
-    let solution = (0..count).map(|i| rows[i][count] / rows[i][i]);
-    solution.map(|value| value.is_finite().then_some(value)).collect()
 }

@@ -1,0 +1,203 @@
+//! The inputs of the drawing: those at which all drives and driven lengths are as they are drawn.
+//!
+//! Where there are more of them than inputs, as where gears turn several links by one input, they have to agree with
+//! the drawing: otherwise the modes and intervals that it gives are those of another machine.
+
+use std::f64::consts::TAU;
+
+use crate::chain::machine::Driven;
+use crate::chain::plane::Complex;
+use crate::diagnostics::Extent;
+use crate::syntax::tree::Expr;
+
+use super::bodies::Bodies;
+use super::lengths::in_words;
+use super::messages::drive_as_written;
+use super::values::Measured;
+
+/// The angle, the part of the machine's size and that of a length by which a drive may differ from the drawing: about
+/// what a drawing is off by whose small links are drawn to two digits.
+const CARELESS: f64 = 0.05;
+/// The turns by which the angle of a link that is geared up may differ from what is drawn.
+const TURNS: i32 = 4;
+
+/// What is drawn of a drive or of a driven length.
+struct DrawnEquation<'t> {
+    value: &'t Expr,
+    drawn: f64,
+    /// The drive; none of a length.
+    drive: Option<usize>,
+    /// The body that has the length.
+    body: usize,
+    is_angle: bool,
+}
+
+impl DrawnEquation<'_> {
+    /// The difference of a value from the drawing; angles differ by less than half a turn.
+    fn off(&self, value: f64) -> f64 {
+        let off = value - self.drawn;
+        if self.is_angle { off - TAU * (off / TAU).round() } else { off }
+    }
+}
+
+fn equations<'t>(bodies: &Bodies<'t>) -> Option<Vec<DrawnEquation<'t>>> {
+    let mut equations = Vec::new();
+    for (index, (_, drive)) in bodies.drives.iter().enumerate() {
+        let driving = &bodies.machine.drives[index];
+        equations.push(DrawnEquation {
+            value: &drive.value,
+            drawn: bodies.drawn_value(index)?,
+            drive: Some(index),
+            body: driving.bodies[0],
+            is_angle: driving.kind == Driven::Angle,
+        });
+    }
+    for (index, link) in bodies.links.iter().enumerate() {
+        if let Some((length, None)) = &link.length {
+            let [first, second] = link.pins[..] else { continue };
+            let between = bodies.machine.pins[second] - bodies.machine.pins[first];
+            let (drawn, body) = (between.length(), index + 1);
+            equations.push(DrawnEquation {
+                value: length,
+                drawn,
+                drive: None,
+                body,
+                is_angle: false,
+            });
+        }
+    }
+    Some(equations)
+}
+
+impl Measured<'_> {
+    /// The inputs at which the drives are as they are drawn; `None` where the drives do not determine
+    /// them.
+    pub(super) fn inputs_of_the_drawing(&mut self, bodies: &Bodies<'_>) -> Option<Vec<f64>> {
+        let equations = equations(bodies)?;
+        let rows = self.rows(bodies, &equations)?;
+        let inputs = solved(rows.clone(), self.mechanism().inputs.len())?;
+        if self.disagreement(bodies, &equations, &inputs).is_none() {
+            return Some(inputs);
+        }
+        Some(self.turned_on(bodies, &equations, &rows).unwrap_or(inputs))
+    }
+
+    /// The inputs where an angle is drawn that is whole turns less than that of its drive.
+    fn turned_on(
+        &mut self,
+        bodies: &Bodies<'_>,
+        equations: &[DrawnEquation<'_>],
+        rows: &[Vec<f64>],
+    ) -> Option<Vec<f64>> {
+        let count = self.mechanism().inputs.len();
+        let angles = equations.iter().enumerate().filter(|(_, equation)| equation.is_angle);
+        let ways = (-TURNS..=TURNS).filter(|turns| *turns != 0);
+        let tried =
+            ways.flat_map(|turns| angles.clone().map(move |(index, _)| (index, f64::from(turns))));
+        let agreeing = tried.filter_map(|(index, turns)| {
+            let mut rows = rows.to_vec();
+            rows[index][count] += TAU * turns;
+            let inputs = solved(rows, count)?;
+            self.disagreement(bodies, equations, &inputs).is_none().then_some(inputs)
+        });
+        // The one nearest to zero, as angles of the drawing are.
+        let size = |inputs: &Vec<f64>| inputs.iter().map(|input| input.abs()).sum::<f64>();
+        agreeing.min_by(|a, b| size(a).total_cmp(&size(b)))
+    }
+
+    /// The equations over the inputs, each with its right side last.
+    fn rows(
+        &mut self,
+        bodies: &Bodies<'_>,
+        equations: &[DrawnEquation<'_>],
+    ) -> Option<Vec<Vec<f64>>> {
+        let count = self.mechanism().inputs.len();
+        let mut rows = Vec::new();
+        for equation in equations {
+            let value = bodies.as_drawn(equation.value, &self.pen, &[]);
+            let mut inputs = vec![0.0; count];
+            let rest = self.at_inputs(&value, &inputs)?;
+            let mut row = Vec::new();
+            for input in 0..count {
+                inputs[input] = 1.0;
+                row.push(self.at_inputs(&value, &inputs)? - rest);
+                inputs[input] = 0.0;
+            }
+            row.push(equation.drawn - rest);
+            rows.push(row);
+        }
+        Some(rows)
+    }
+
+    /// The last equation that does not hold in the drawing, and its value there.
+    fn disagreement(
+        &mut self,
+        bodies: &Bodies<'_>,
+        equations: &[DrawnEquation<'_>],
+        inputs: &[f64],
+    ) -> Option<(usize, f64)> {
+        equations.iter().enumerate().rev().find_map(|(index, equation)| {
+            let value = bodies.as_drawn(equation.value, &self.pen, &[]);
+            let value = self.at_inputs(&value, inputs)?;
+            let unit = match equation.drive {
+                _ if equation.is_angle => 1.0,
+                Some(_) => bodies.machine.size(),
+                None => equation.drawn,
+            };
+            (equation.off(value).abs() > CARELESS * unit).then_some((index, value))
+        })
+    }
+
+    /// Reports a drive or a length that contradicts the drawing; `None` where there is one.
+    pub(super) fn drives_agree(&mut self, bodies: &Bodies<'_>) -> Option<()> {
+        let Some(inputs) = self.inputs_of_the_drawing(bodies) else { return Some(()) };
+        let equations = equations(bodies)?;
+        let Some((index, value)) = self.disagreement(bodies, &equations, &inputs) else {
+            return Some(());
+        };
+        let equation = &equations[index];
+        let link = bodies.name(equation.body);
+        let told = match equation.drive {
+            Some(drive) => format!("`drive {}`", drive_as_written(bodies.drives[drive].1)),
+            None => format!("the length of {link}"),
+        };
+        let in_words = |value: f64| match equation.is_angle {
+            true => degrees(Complex::turned(value).angle()),
+            false => in_words(value),
+        };
+        let message = format!(
+            "{told} contradicts the drawing: it is {} where the others are as drawn, and drawn as {}",
+            in_words(value),
+            in_words(equation.drawn)
+        );
+        let reason =
+            format!("draw {link} there, or change the value: in the drawing every drive holds");
+        let span: Extent = equation.value.span;
+        self.resolver.diagnostics.error_because(span, message, reason);
+        None
+    }
+}
+
+/// An angle to a tenth of a degree.
+fn degrees(angle: f64) -> String {
+    format!("{:.1}°", angle.to_degrees())
+}
+
+/// The solution of linear equations, each with its right side last; `None` where there is not exactly one.
+fn solved(mut rows: Vec<Vec<f64>>, count: usize) -> Option<Vec<f64>> {
+    for column in 0..count {
+        // The first that says something of the input, so that a later one is what contradicts it. Coefficients are ratios
+        // of gears and lengths of racks: far from rounding errors.
+        let pivot = (column..rows.len()).find(|&row| rows[row][column].abs() > 1e-9)?;
+        rows.swap(column, pivot);
+        let pivot = rows[column].clone();
+        for (index, row) in rows.iter_mut().enumerate() {
+            let factor = row[column] / pivot[column];
+            if index != column {
+                row.iter_mut().zip(&pivot).for_each(|(value, pivot)| *value -= factor * pivot);
+            }
+        }
+    }
+    let solution = (0..count).map(|i| rows[i][count] / rows[i][i]);
+    solution.map(|value| value.is_finite().then_some(value)).collect()
+}
