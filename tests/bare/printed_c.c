@@ -290,14 +290,16 @@ static void beside_a_limit(const Function *f)
     }
 }
 
-/* Calls every function so often with random numbers, and as often beside limits. */
+/* Calls every function so often with random numbers, and as often beside limits: of so many parts of the table, every
+ * function of this one. */
 int main(int count, char **arguments)
 {
     const long calls = count > 1 ? atol(arguments[1]) : 1;
+    const size_t part = count > 3 ? (size_t)atol(arguments[2]) : 0, parts = count > 3 ? (size_t)atol(arguments[3]) : 1;
     int is_equal = 1;
     size_t at;
     long i;
-    for (at = 0; at < sizeof ALL / sizeof ALL[0]; at++) {
+    for (at = part; at < sizeof ALL / sizeof ALL[0]; at += parts) {
         const Function *const f = &ALL[at];
         double given[MOST_NUMBERS];
         begin();

@@ -7,7 +7,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
+use std::time::Instant;
 
 use crate::build::{self, directory, library, sources, text};
 use crate::c_harness;
@@ -60,11 +61,31 @@ fn compared(folder: &Path, library: &Path, flags: &[&str], of_program: &[&str]) 
         .expect("gcc starts");
     assert!(output.status.success(), "{}", text(&output.stderr));
     let calls = std::env::var("LINKAGE_CALLS").unwrap_or_else(|_| "20000".to_string());
-    let output = Command::new(folder.join("harness")).arg(calls).output().expect("it starts");
-    let report = text(&output.stdout);
-    assert!(output.status.success(), "{report}");
-    println!("{report}");
+    let start = Instant::now();
+    let report = called(&folder.join("harness"), &calls);
+    println!("{}: {flags:?}, {calls} calls a function in {:?}", folder.display(), start.elapsed());
     report.lines().map(Line::parsed).collect()
+}
+
+/// The report of the program, which runs once a processor, each time with a part of the functions.
+fn called(harness: &Path, calls: &str) -> String {
+    let parts = std::thread::available_parallelism().map_or(1, usize::from);
+    let started = (0..parts).map(|part| {
+        let mut command = Command::new(harness);
+        command.args([calls, &part.to_string(), &parts.to_string()]);
+        command.stdout(Stdio::piped()).spawn().expect("it starts")
+    });
+    // All of them run before the first one is waited for.
+    let running: Vec<_> = started.collect();
+    let mut report = String::new();
+    for child in running {
+        let output = child.wait_with_output().expect("it ends");
+        let lines = text(&output.stdout);
+        println!("{lines}");
+        assert!(output.status.success(), "{lines}");
+        report += &lines;
+    }
+    report
 }
 
 /// A line of the report: a function, called with numbers at random or beside a limit.
