@@ -150,3 +150,49 @@ fn a_load_beside_friction_is_never_no_number() {
     }
     assert!(counts.iter().all(|count| *count > 2000), "{counts:?}");
 }
+
+/// One of two inputs is driven by a load: under the load that follows, nothing is left for a drive of its own, and
+/// all else is the same.
+#[test]
+fn one_of_several_inputs_is_driven_by_a_load() {
+    let (mut random, mut counts) = (Random::new(47), [0; 2]);
+    for nth in 0..500 {
+        let mu = random.between(0.0, 0.6);
+        let (arm, given) = (RubbingReach { mu }, GivenRubbingReach { mu });
+        let mut pair = |size: f64| [(); 2].map(|()| random.between(-size, size));
+        let (q, rates, seconds) = (pair(3.0), pair(5.0), pair(30.0));
+        let hand = random.between(-90.0, 90.0);
+        let at_rest = nth % 2 == 0;
+        let found = match at_rest {
+            true => arm.statics(q, rates, hand),
+            false => arm.forces(q, rates, seconds, hand),
+        };
+        let f = match found {
+            Ok(found) => found,
+            Err(SolveError::Jams { .. }) => {
+                counts[1] += 1;
+                continue;
+            }
+            Err(error) => panic!("{error}"),
+        };
+        let loads = [hand, f.cylinder];
+        let g = match at_rest {
+            true => given.statics(q, rates, loads),
+            false => given.forces(q, rates, seconds, loads),
+        };
+        let g = g.unwrap();
+        let own = [f.upper.O.x, f.upper.O.y, f.fore.E.x, f.fore.E.y, f.fore.E_friction];
+        let other = [g.upper.O.x, g.upper.O.y, g.fore.E.x, g.fore.E.y, g.fore.E_friction];
+        let largest = own.iter().fold(f.cylinder.abs(), |largest, x| largest.max(x.abs()));
+        for (found, expected) in own.into_iter().zip(other) {
+            assert!((found - expected).abs() <= ROUNDING * largest, "{q:?}: {found} {expected}");
+        }
+        // Levers are shorter than a metre, and slips slower than 10 rad/s.
+        assert!(g.elbow.drive.abs() <= ROUNDING * largest, "{q:?}: {}", g.elbow.drive);
+        assert!((f.shoulder.drive - g.shoulder.drive).abs() <= ROUNDING * largest);
+        assert!((f.losses - g.losses).abs() <= 10.0 * ROUNDING * largest);
+        assert!(at_rest || f.losses > 0.0);
+        counts[0] += 1;
+    }
+    assert!(counts[0] > 400 && counts[1] > 0, "{counts:?}");
+}

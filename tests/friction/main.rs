@@ -9,5 +9,7 @@ mod draws;
 mod driven_by_load;
 mod forward;
 mod laws;
+mod matrix;
 mod others;
+mod sizes;
 mod table;

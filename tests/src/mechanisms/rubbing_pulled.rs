@@ -72,3 +72,50 @@ mechanism! {
             piston.bore.friction, taken = losses + brake * rate(theta);
     }
 }
+
+mechanism! {
+    /// An arm whose elbow a cylinder bends, and whose shoulder is driven.
+    pub struct RubbingReach {
+        input shoulder, elbow: angle;
+        param mu = 0.1;
+        load hand: force;
+        load cylinder: force;
+        ground O(0, 0);
+        crank upper(O) -> E { length: 0.5m, angle: shoulder }
+        crank fore(E) -> H  { length: 0.4m, angle: elbow, relative_to: upper }
+        point P on upper at (0.1m, 60mm);
+        point Q on fore at (0.1m, 50mm);
+        gravity (0, -9.81(m/s^2));
+        mass 4kg on upper uniform;
+        mass 2kg on fore at (0.25m, 10mm) inertia 0.03(kg*m^2);
+        force (0, -hand) on H;
+        force cylinder - 8(N*s/m) * rate(distance(P, Q)) between P and Q;
+        friction mu at O radius 40mm;
+        friction mu at E radius 30mm;
+        drive elbow by cylinder;
+        output cylinder, shoulder.drive, upper.O, fore.E, losses, fore.E.friction;
+    }
+}
+
+mechanism! {
+    /// The same under a cylinder that is given.
+    pub struct GivenRubbingReach {
+        input shoulder, elbow: angle;
+        param mu = 0.1;
+        load hand: force;
+        load cylinder: force;
+        ground O(0, 0);
+        crank upper(O) -> E { length: 0.5m, angle: shoulder }
+        crank fore(E) -> H  { length: 0.4m, angle: elbow, relative_to: upper }
+        point P on upper at (0.1m, 60mm);
+        point Q on fore at (0.1m, 50mm);
+        gravity (0, -9.81(m/s^2));
+        mass 4kg on upper uniform;
+        mass 2kg on fore at (0.25m, 10mm) inertia 0.03(kg*m^2);
+        force (0, -hand) on H;
+        force cylinder - 8(N*s/m) * rate(distance(P, Q)) between P and Q;
+        friction mu at O radius 40mm;
+        friction mu at E radius 30mm;
+        output elbow.drive, shoulder.drive, upper.O, fore.E, losses, fore.E.friction;
+    }
+}

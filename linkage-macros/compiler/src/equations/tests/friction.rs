@@ -95,14 +95,24 @@ struct Rubbed<T> {
 const SETTLED: f64 = 1e-13;
 
 /// True if what friction adds to its own load is compared: it takes a matrix for each joint.
-enum Jamming {
+pub(super) enum Jamming {
     Compared,
     LeftOut,
 }
 
 fn check(name: &str, source: &str, inputs: &[[f64; 3]], at_rest: bool, jamming: &Jamming) -> usize {
-    let source = rubbing(source);
-    let mechanism = with_every_input_asked(mechanism(&source));
+    check_declared(name, &rubbing(source), inputs, at_rest, jamming)
+}
+
+/// The same of a declaration that says what rubs; the number of its frictions.
+pub(super) fn check_declared(
+    name: &str,
+    source: &str,
+    inputs: &[[f64; 3]],
+    at_rest: bool,
+    jamming: &Jamming,
+) -> usize {
+    let mechanism = with_every_input_asked(mechanism(source));
     let builder = GraphBuilder::new(passes::RULES);
     let free = InputMotion::free(&mechanism, &builder);
     let moving = Kinematics::of(&builder, &mechanism, free.clone());
@@ -110,7 +120,7 @@ fn check(name: &str, source: &str, inputs: &[[f64; 3]], at_rest: bool, jamming: 
     let state = if at_rest { &resting } else { &moving };
     let nodes = nodes(state, &moving, &free);
     let (given, values) = evaluated(&mechanism, builder.graph(), inputs);
-    let compared = Compared { name, source: &source, values: &values };
+    let compared = Compared { name, source, values: &values };
     let motion = nodes.motion.values(&values);
     if let Jamming::Compared = jamming {
         let jams = jams(&builder.graph(), &values);

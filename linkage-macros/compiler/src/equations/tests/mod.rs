@@ -8,6 +8,7 @@ mod driven_load;
 mod dynamics;
 pub(crate) mod forces;
 mod friction;
+mod friction_forward;
 mod joints;
 mod laws;
 mod left_out;

@@ -150,7 +150,7 @@ const DRAWS: usize = 60;
 
 const EPSILONS: [f64; 2] = [f64::EPSILON, f32::EPSILON as f64];
 
-/// What the steps leave is no more than the proof says, whatever ε is.
+/// The error that steps leave is no more than the proof says, whatever ε is.
 ///
 /// A guide's size is known: the pair is Φ less the amount, and what that is compared with. A pin's is larger than its
 /// slope tells by no more than half of the pair, the step's square over twice the size.
