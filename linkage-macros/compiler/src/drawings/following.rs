@@ -160,19 +160,73 @@ fn a_drive_between_moving_links_moves_the_same_machine() {
         for change in [-0.05, -0.01, 0.02, 0.05] {
             let now = machine.rigid(&[drawn[0] + change], CLOSED);
             let now = now.unwrap_or_else(|| panic!("{statements} at {change}"));
-            let angle = |pins: &[(String, [f64; 2])], link: &str| {
-                let (_, ends) = machine
-                    .links()
-                    .into_iter()
-                    .find(|(name, _)| name == link)
-                    .expect("it is a link");
-                let [from, to] =
-                    [0, 1].map(|i| pins.iter().find(|(pin, _)| *pin == ends[i]).expect("a pin").1);
-                (to[1] - from[1]).atan2(to[0] - from[0])
-            };
-            let between = angle(&now, first) - angle(&now, second);
+            let between = angle(&machine, &now, first) - angle(&machine, &now, second);
             let off = (between - drawn[0] - change).sin().abs();
             assert!(off < CLOSED, "{statements} at {change}: {off:e}");
+        }
+    }
+}
+
+/// The angle of a link's first two pins.
+fn angle(machine: &Machine, pins: &[(String, [f64; 2])], link: &str) -> f64 {
+    let links = machine.links();
+    let (_, ends) = links.iter().find(|(name, _)| name == link).expect("it is a link");
+    let [from, to] = [0, 1].map(|i| place(pins, &ends[i]));
+    (to[1] - from[1]).atan2(to[0] - from[0])
+}
+
+fn place(pins: &[(String, [f64; 2])], pin: &str) -> [f64; 2] {
+    pins.iter().find(|(name, _)| name == pin).expect("a pin").1
+}
+
+/// Links that a drive turns against each other, one of them between a block and a crank, one that slides itself, and two
+/// with other links between them.
+#[test]
+fn drives_between_moving_links_hold_them_beside_slides_and_other_links() {
+    let on_a_bed = "ground A(0, 0); guide bed through A along 0; pin B(0.5, 0.9), C(3.2, 0.4); \
+                    link AB(A, B), BC(B, C), ram(C) on bed;";
+    let through_a_pivot = "ground A(0, 0), D(3, 0); pin B(0.5, 0.9), X(2.5, 0.6); link AB(A, B), BX(B, X); \
+                           guide slot on BX through B towards X; link pivot(D) on slot;";
+    let five_bar = "input t: angle; ground A(0, 0), E(4, 0); pin B(0.2, 1), C(1.7, 2.1), D(3.6, 1.2); \
+                    link AB(A, B), BC(B, C), CD(C, D), ED(E, D); drive ED.angle = t;";
+    let opposite =
+        "ground A(0, 0), D(4, 0); pin B(0.5, 0.9), C(3.2, 2.6); link AB(A, B), BC(B, C), DC(D, C);";
+    // The gap in a joint that no body shows.
+    type Opened = fn(&Machine, &[(String, [f64; 2])]) -> f64;
+    let bed: Opened = |_, pins| place(pins, "C")[1] - 0.4;
+    let slot: Opened = |machine, pins| {
+        // The pivot keeps its distance from the line through B and X.
+        let beside = |b: [f64; 2], along: f64| (3.0 - b[0]) * along.sin() + b[1] * along.cos();
+        let drawn = beside([0.5, 0.9], (-0.3_f64).atan2(2.0));
+        beside(place(pins, "B"), angle(machine, pins, "BX")) - drawn
+    };
+    let rocker: Opened = |machine, pins| (angle(machine, pins, "ED") - 1.2_f64.atan2(-0.4)).sin();
+    let nothing: Opened = |_, _| 0.0;
+    let machines = [
+        (on_a_bed, "AB", "BC", bed),
+        (through_a_pivot, "AB", "BX", slot),
+        (five_bar, "AB", "CD", rocker),
+        (opposite, "AB", "DC", nothing),
+    ];
+    for (text, first, second, opened) in machines {
+        let statements =
+            format!("input q: angle; {text} drive {first}.angle - {second}.angle = q;");
+        let machine = of(&statements);
+        let drawn = machine.mechanism.drawn.clone().expect("it is determined");
+        for change in [-0.04, -0.01, 0.0, 0.01, 0.04] {
+            let mut inputs = drawn.clone();
+            inputs[0] += change;
+            let now = machine.rigid(&inputs, CLOSED);
+            let now = now.unwrap_or_else(|| panic!("{statements} at {change}"));
+            let between = angle(&machine, &now, first) - angle(&machine, &now, second);
+            let off = (between - inputs[0]).sin().abs();
+            assert!(off < CLOSED, "{statements} at {change}: {off:e}");
+            let open = opened(&machine, &now).abs();
+            assert!(open < CLOSED, "{statements} at {change}: open by {open:e}");
+            let moved = now.iter().zip(machine.rigid(&drawn, CLOSED).expect("the drawing"));
+            let moved = moved.map(|((_, a), (_, b))| (a[0] - b[0]).hypot(a[1] - b[1]));
+            let moved = moved.fold(0.0, f64::max);
+            assert!((moved > 1e-3) == (change != 0.0), "{statements} moves by {moved}");
         }
     }
 }

@@ -8,6 +8,7 @@ mod chains_of_eight;
 mod declared_points;
 mod eight_bars;
 mod following;
+pub(crate) mod lorry;
 mod machine;
 mod poses;
 mod several_inputs;

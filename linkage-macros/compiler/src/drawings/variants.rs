@@ -211,7 +211,7 @@ fn a_bar_too_few_or_too_many_is_told_by_its_names() {
 #[test]
 fn whatever_incidences_are_drawn_the_compiler_answers_soon() {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
-    let mut understood = 0;
+    let (mut understood, mut longest) = (0, 0.0_f64);
     for _ in 0..300 {
         let (pins, links) = (3 + random.below(8), 1 + random.below(9));
         let mut text = "input t: angle;\nground P0(0, 0), P1(4, 0);\n".to_string();
@@ -231,10 +231,12 @@ fn whatever_incidences_are_drawn_the_compiler_answers_soon() {
         };
         let start = Instant::now();
         understood += usize::from(resolved_text(&text).is_ok());
-        // In a compiler that is not optimised, beside other work.
-        assert!(start.elapsed().as_secs_f64() < 5.0, "{text}");
+        longest = longest.max(start.elapsed().as_secs_f64());
+        // A machine of class III, in a compiler that is not optimised and beside other work; optimised, all 300
+        // take 0.04 s.
+        assert!(longest < 1.0, "{text}");
     }
-    println!("{understood} of 300 are machines");
+    println!("{understood} of 300 are machines, {longest} s at most");
 }
 
 /// A link's frame is as written. Where the group has another, nothing is measured in the wrong one.

@@ -1,9 +1,7 @@
 //! Drawings of links and joints: what is said of those that cannot be cut.
 
-use std::f64::consts::PI;
-
 use super::check;
-use crate::oracle::mechanism;
+use crate::drawings::lorry::LORRY;
 
 /// A four-bar without its drive.
 const BARS: &str = "input t: angle; ground A(0, 0), D(4m, 0); pin B(0.5m, 0.9m), C(3.2m, 2.6m); \
@@ -238,68 +236,6 @@ fn reactions_beside_links_that_are_held_together() {
     ]);
 }
 
-/// Two cranks by one input, and a rod between them. The first is drawn at 135°, the second at 45°.
-const GEARED: &str = "input t: angle; ground A(0, 0), D(6m, 0); pin B(-1m, 1m), C(7m, 1m), P(3m, 5m); \
-                      link AB(A, B), DC(D, C), BP(B, P), CP(C, P); drive AB.angle = t;";
-
-/// Several drives of one input agree with the drawing, but for whole turns and a careless pen.
-#[test]
-fn drives_that_contradict_the_drawing() {
-    let slip = |value: &str, is: &str| {
-        format!(
-            "{value}: `drive DC.angle` contradicts the drawing: it is {is} where the others are as drawn, and drawn as 45.0° / \
-             draw `DC` there, or change the value: in the drawing every drive holds"
-        )
-    };
-    check(&[
-        (GEARED, "drive DC.angle = 180deg - AB.angle;", ""),
-        (GEARED, "drive DC.angle = 178deg - t;", ""),
-        (GEARED, "drive DC.angle = 900deg - AB.angle;", ""),
-        (GEARED, "drive DC.angle = 3 * t;", ""),
-        (GEARED, "drive DC.angle = 45deg;", ""),
-        (GEARED, "drive DC.angle = 170deg - AB.angle;", &slip("170deg - AB.angle", "35.0°")),
-        (GEARED, "drive DC.angle = 10deg - t;", &slip("10deg - t", "-125.0°")),
-        (GEARED, "drive DC.angle = 60deg;", &slip("60deg", "60.0°")),
-        (GEARED, "drive DC.angle - AB.angle = -90deg;", ""),
-        (
-            GEARED,
-            "drive DC.angle - AB.angle = 90deg;",
-            "90deg: `drive DC.angle - AB.angle` contradicts the drawing: it is 90.0° where the others are as drawn, and drawn as -90.0° / \
-             draw `DC` there, or change the value: in the drawing every drive holds",
-        ),
-    ]);
-    let platform = "input a, c: length; ground A(0, 0), B(4m, 0), C(2m, 5m); pin P(0, 2m), Q(3m, 1m), R(1.7m, 2.6m); \
-                    link la(A, P) { length: a } link lc(C, R) { length: c } link plate(P, Q, R);";
-    check(&[
-        (platform, "link lb(B, Q) { length: a / sqrt(2) }", ""),
-        (
-            platform,
-            "link lb(B, Q) { length: 0.8 * a }",
-            "0.8 * a: the length of `lb` contradicts the drawing: it is 1.6 m where the others are as drawn, and drawn as 1.414 m / \
-             draw `lb` there, or change the value: in the drawing every drive holds",
-        ),
-    ]);
-}
-
-/// The input is where the drives are drawn, whichever of them says so.
-#[test]
-fn geared_drives_say_where_the_input_is_drawn() {
-    for (second, drawn) in [
-        ("180deg - AB.angle", 0.75 * PI),
-        ("3 * t", 0.75 * PI),
-        ("-5 * t", 0.75 * PI),
-        ("t / 3", 0.75 * PI),
-    ] {
-        let (bars, first) = GEARED.split_at(GEARED.rfind("drive").expect("a drive"));
-        let second = format!("drive DC.angle = {second};");
-        for drives in [format!("{first} {second}"), format!("{second} {first}")] {
-            let inputs = mechanism(&format!("struct M {{ {bars} {drives} }}")).drawn;
-            let off = inputs.expect("it is determined")[0] - drawn;
-            assert!(off.abs() < 1e-12, "{drives}: {off:e}");
-        }
-    }
-}
-
 /// A bar that is a little longer holds the machine, and so does an equal one that is not parallel.
 #[test]
 fn bars_are_parallel_and_equal_or_too_many() {
@@ -334,14 +270,9 @@ fn a_length_is_that_of_one_bar() {
     ]);
 }
 
-/// A tipping lorry from its sketch, and ten slips of the pen in it. A cylinder turns an arm whose roller lifts the tray by
-/// its slot, and a strut opens the gate.
+/// A tipping lorry, and ten slips of the pen in it.
 #[test]
 fn slips_in_a_machine_with_a_slot_and_a_cylinder() {
-    const LORRY: &str = "input s: length; ground O(0, 0), A(1.1m, -0.2m), F(1.75m, -0.4m), M(-0.5m, -0.1m); \
-         pin G(1.3m, 0.1m), R(0.8m, 0.25m), T(2m, 0.3m), K(-0.1m, 0.5m), L(-0.45m, 0.35m); \
-         guide slot on tray through O towards T; link tray(O, T, K), arm(A, G, R), roller(R) on slot; \
-         link lift(F, G) { length: s } link gate(K, L), strut(M, L);";
     check(&[(LORRY, "", "")]);
     let loose = "strut: `tray`, `roller`, `gate` and `strut` still move when every input is held: 2 drives too few";
     let slips = [

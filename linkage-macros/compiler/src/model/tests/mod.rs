@@ -8,6 +8,7 @@ mod driving;
 mod expressions;
 mod fields;
 mod formulas;
+mod geared;
 mod groups;
 mod held_equations;
 mod incidence;
