@@ -25,12 +25,12 @@ const FMI3: &str = include_str!("fmi/fmi3.c");
 struct Variable {
     name: String,
     role: Role,
-    measure: Measure,
+    measure: VariableUnit,
     start: f64,
 }
 
 /// A dimension, and the order of the derivative by time.
-type Measure = (Dimension, Order);
+type VariableUnit = (Dimension, Order);
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Role {
@@ -134,7 +134,7 @@ impl<'a> Model<'a> {
         model
     }
 
-    fn add(&mut self, mut name: String, role: Role, measure: Measure, start: f64) {
+    fn add(&mut self, mut name: String, role: Role, measure: VariableUnit, start: f64) {
         while self.variables.iter().any(|variable| variable.name == name) {
             name.push('_');
         }

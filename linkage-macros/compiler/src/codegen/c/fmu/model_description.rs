@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::iter::once;
 
-use super::{Measure, Model, Role, Variable};
+use super::{Model, Role, Variable, VariableUnit};
 use crate::codegen::identifiers::text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
@@ -61,7 +61,7 @@ impl Model<'_> {
 }
 
 /// The attributes of a unit's powers. A newton is kg m/s², and a radian a unit of its own.
-fn base_unit((dimension, order): Measure) -> String {
+fn base_unit((dimension, order): VariableUnit) -> String {
     let Dimension { length, mass, time, angle } = dimension;
     let rates = match order {
         Order::Position => 0,
