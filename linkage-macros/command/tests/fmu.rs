@@ -121,6 +121,69 @@ fn a_kinematic_fmu_computes_the_motion_and_says_who_refuses() {
     }
 }
 
+/// The files of an archive that holds them as they are.
+fn unpacked(archive: &[u8]) -> Vec<(String, &[u8])> {
+    let number = |at: usize, count: usize| {
+        archive[at..at + count].iter().rev().fold(0, |sum, &byte| (sum << 8) | usize::from(byte))
+    };
+    let (mut files, mut at) = (Vec::new(), 0);
+    while archive[at..].starts_with(b"PK\x03\x04") {
+        let (size, name) = (number(at + 18, 4), number(at + 26, 2));
+        let content = at + 30 + name + number(at + 28, 2);
+        let name = String::from_utf8_lossy(&archive[at + 30..at + 30 + name]).into_owned();
+        files.push((name, &archive[content..content + size]));
+        at = content + size;
+    }
+    files
+}
+
+/// A program in C calls the model as the standard allows and as it forbids, without Python.
+#[test]
+fn models_keep_to_their_standard() {
+    is_called("called", &[]);
+    is_called("called_kinematic", &["--kinematic"]);
+}
+
+fn is_called(name: &str, flags: &[&str]) {
+    let archive = fs::read(fmu("press", &format!("{name}.fmu"), flags)).expect("it was written");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(&folder).expect("a folder can be made");
+    let mut description = String::new();
+    for (name, content) in unpacked(&archive) {
+        match name.strip_prefix("sources/") {
+            Some(source) => fs::write(folder.join(source), content).expect("it can be written"),
+            None if name == "modelDescription.xml" => {
+                description = String::from_utf8_lossy(content).into_owned();
+            }
+            None => {}
+        }
+    }
+    let reference = |name: &str| {
+        let start = format!("<Float64 name=\"{name}\" valueReference=\"");
+        let (_, rest) = description.split_once(&start).expect("it is a variable");
+        format!(
+            "-D{}={}",
+            name.replace('.', "_").to_uppercase(),
+            rest.split('"').next().expect("a number")
+        )
+    };
+    let names = ["theta", "theta_rate", "theta_acceleration", "rod", "C.y"];
+    let caller = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/fmu_caller.c");
+    let compiled = Command::new("cc")
+        .args(["-std=c99", "-D_DEFAULT_SOURCE", "-Wall", "-Wextra", "-Werror", "-I."])
+        .args(names.map(reference))
+        .args([caller, "linkage_run.c", "press.c", "-lm", "-o", "caller"])
+        .current_dir(&folder)
+        .output();
+    let Ok(compiled) = compiled else {
+        println!("skipped: there is no `cc`");
+        return;
+    };
+    assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+    let output = Command::new(folder.join("caller")).output().expect("it starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
+}
+
 /// Every variable has the unit of what it is, and every unit its powers of kilogram, metre, second and radian.
 #[test]
 fn variables_have_units_by_their_dimensions() {
