@@ -188,7 +188,7 @@ fn is_called(name: &str, flags: &[&str]) {
 #[test]
 fn variables_have_units_by_their_dimensions() {
     let archive = fs::read(fmu("press", "units.fmu", &[])).expect("it was written");
-    // What the archive holds is not compressed.
+    // The archive holds its files as they are.
     let text = String::from_utf8_lossy(&archive);
     let variables: Vec<_> = text.lines().filter(|line| line.contains("<Float64 ")).collect();
     assert!(variables.len() == 25 && variables.iter().all(|line| line.contains(" unit=\"")));

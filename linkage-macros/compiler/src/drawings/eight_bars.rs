@@ -69,7 +69,8 @@ fn all_eight_bars_are_cut_into_the_groups_that_are_known() {
 }
 
 /// The work of a cut: eight options are followed over 121 poses at most. A root takes three residuals an iteration, a slope two; the
-/// width about a root and the roots in an interval take some dozens more.
+/// width about a root and the roots in an interval take some dozens more. Optimised, the 68,824 residuals of the largest
+/// take 23 ms, on a machine that did other work as well.
 #[test]
 fn a_group_of_class_three_is_followed_in_bounded_work() {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
@@ -88,7 +89,7 @@ fn a_group_of_class_three_is_followed_in_bounded_work() {
         }
     }
     println!("{groups} groups, {most} residuals and {longest} s at most");
-    assert!(groups > 8 && most < 8 * 121 * 120, "{groups} {most}");
+    assert!(groups > 8 && most < 8 * 121 * 80, "{groups} {most}");
 }
 
 /// The outcomes of drawings: machines that are solved where they are drawn, such that are drawn at a

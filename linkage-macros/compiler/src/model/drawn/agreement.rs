@@ -21,7 +21,7 @@ const CARELESS: f64 = 0.05;
 /// The turns by which the angle of a link that is geared up may differ from what is drawn.
 const TURNS: i32 = 4;
 
-/// What is drawn of a drive or of a driven length.
+/// A drive or a driven length, and its value in the drawing.
 struct DrawnEquation<'t> {
     value: &'t Expr,
     drawn: f64,
