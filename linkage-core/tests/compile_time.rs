@@ -15,22 +15,30 @@ struct Scratch {
     root: PathBuf,
     /// By `[profile.dev.build-override] opt-level = 1` in its manifest.
     macro_is_optimised: bool,
+    /// As Cargo builds by default: it takes what has not changed from the build before.
+    is_incremental: bool,
 }
 
 impl Scratch {
     fn new(name: &str, source: &str) -> Self {
+        Self::with(&["macros"], name, source)
+    }
+
+    /// One that has these features of the library.
+    fn with(features: &[&str], name: &str, source: &str) -> Self {
         let root = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
         fs::create_dir_all(root.join("src")).expect("the scratch directory can be made");
         let manifest = format!(
             "[package]\nname = \"{name}\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-             linkage-core = {{ path = {:?}, default-features = false, features = [\"macros\"] }}\n",
+             linkage-core = {{ path = {:?}, default-features = false, features = {features:?} }}\n\
+             [profile.release]\nstrip = true\n",
             env!("CARGO_MANIFEST_DIR")
         );
         fs::write(root.join("Cargo.toml"), manifest).expect("the manifest can be written");
         fs::write(root.join("src/lib.rs"), source).expect("the source can be written");
         let lock = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.lock");
         fs::copy(lock, root.join("Cargo.lock")).expect("the lock file can be copied");
-        Self { root, macro_is_optimised: false }
+        Self { root, macro_is_optimised: false, is_incremental: true }
     }
 
     fn cargo(&self, arguments: &[&str]) {
@@ -44,6 +52,7 @@ impl Scratch {
             .current_dir(&self.root)
             .env("CARGO_TARGET_DIR", target)
             .env("CARGO_PROFILE_DEV_BUILD_OVERRIDE_OPT_LEVEL", level)
+            .env("CARGO_INCREMENTAL", if self.is_incremental { "1" } else { "0" })
             .status()
             .expect("cargo can be started");
         assert!(status.success(), "cargo {arguments:?} failed in {}", self.root.display());
@@ -52,19 +61,18 @@ impl Scratch {
     /// The least of three times, everything but the declarations compiled before.
     fn time(&self, arguments: &[&str]) -> Cost {
         self.cargo(arguments);
+        let costs: [Cost; 3] = std::array::from_fn(|_| self.once(arguments));
+        costs.into_iter().reduce(Cost::least).expect("there are three")
+    }
+
+    /// The time of one more build.
+    fn once(&self, arguments: &[&str]) -> Cost {
         let source = self.root.join("src/lib.rs");
         let text = fs::read_to_string(&source).expect("the source can be read");
-        let one = |_| {
-            fs::write(&source, &text).expect("the source can be written");
-            let (start, before) = (Instant::now(), processor_time_of_children());
-            self.cargo(arguments);
-            Cost { clock: start.elapsed(), processor: processor_time_of_children() - before }
-        };
-        let costs: [Cost; 3] = std::array::from_fn(one);
-        Cost {
-            clock: costs.map(|cost| cost.clock).into_iter().min().expect("there are three"),
-            processor: costs.map(|cost| cost.processor).into_iter().min().expect("there are three"),
-        }
+        fs::write(&source, &text).expect("the source can be written");
+        let (start, before) = (Instant::now(), processor_time_of_children());
+        self.cargo(arguments);
+        Cost { clock: start.elapsed(), processor: processor_time_of_children() - before }
     }
 }
 
@@ -74,6 +82,12 @@ struct Cost {
     clock: Duration,
     /// The time of all processors together; zero if it is not known.
     processor: Duration,
+}
+
+impl Cost {
+    fn least(self, other: Self) -> Self {
+        Self { clock: self.clock.min(other.clock), processor: self.processor.min(other.processor) }
+    }
 }
 
 impl Display for Cost {
@@ -150,4 +164,60 @@ fn many_mechanisms_and_long_chains() {
     let fifty: String = (0..50).map(five_bodies).collect();
     let optimised = Scratch { macro_is_optimised: true, ..Scratch::new("macro_optimised", &fifty) };
     println!("{:>20} {}", "macro optimised", optimised.time(&["check"]));
+}
+
+/// Features of the library that every declaration pays for, each with those it brings.
+const PAID: [(&str, &[&str]); 3] = [
+    ("bare", &["macros", "std"]),
+    ("sketch", &["macros", "sketch"]),
+    ("page", &["macros", "page"]),
+];
+
+/// Cold, as the first build is; in turns, as the machine is quicker at one time than at another.
+#[test]
+#[ignore = "takes minutes, and measures the machine as well"]
+fn features_that_draw() {
+    let fifty: String = (0..50).map(five_bodies).collect();
+    let scratches = PAID.map(|(name, features)| Scratch {
+        is_incremental: false,
+        ..Scratch::with(features, &format!("fifty_{name}"), &fifty)
+    });
+    let check = ["check"];
+    scratches.iter().for_each(|scratch| scratch.cargo(&check));
+    let mut costs = scratches.each_ref().map(|scratch| scratch.once(&check));
+    for _ in 0..9 {
+        for (cost, scratch) in costs.iter_mut().zip(&scratches) {
+            *cost = cost.least(scratch.once(&check));
+        }
+    }
+    for ((name, _), cost) in PAID.iter().zip(costs) {
+        let share = cost.processor.as_secs_f64() / costs[0].processor.as_secs_f64();
+        println!("{name:>20} {cost} {share:6.3}");
+    }
+}
+
+/// The bytes of a program, stripped of names.
+fn program(features: &[&str], name: &str, main: &str) -> u64 {
+    let declared = five_bodies(1);
+    let source = format!("{declared} fn main() {{ {main} }}");
+    let scratch = Scratch::with(features, name, "");
+    fs::write(scratch.root.join("src/main.rs"), source).expect("the source can be written");
+    // Of each object that is linked without this, tables for unwinding stay whose functions go.
+    scratch.cargo(&["build", "--release", "--config", "profile.release.lto=true"]);
+    let built = format!("{}/compile_time/release/{name}", env!("CARGO_TARGET_TMPDIR"));
+    fs::metadata(built).expect("it is built").len()
+}
+
+/// Texts and functions that nothing reads are in no program. A page that is written is.
+#[test]
+#[ignore = "builds the library four times"]
+fn what_draws_is_in_no_program_that_does_not_draw() {
+    let solves = "println!(\"{:?}\", M1::new().position(std::env::args().len() as f64));";
+    let sizes = PAID.map(|(name, features)| program(features, &format!("size_{name}"), solves));
+    println!("{sizes:?}");
+    // How constants are aligned may bring some bytes less.
+    assert!(sizes.iter().all(|&size| size <= sizes[0]), "{sizes:?}");
+    assert_eq!(sizes[1], sizes[2], "who draws has nothing of pages");
+    let draws = "println!(\"{}\", M1::new().page().to_html().unwrap().len());";
+    assert!(program(PAID[2].1, "size_drawn", draws) > sizes[0] + 50_000);
 }
