@@ -21,6 +21,8 @@ h2 { font-size: 19px; margin: 32px 0 12px; }
 nav { display: flex; flex-wrap: wrap; gap: 4px 20px; }
 section { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 320px), 1fr)); gap: 16px; }
 section h2 { grid-column: 1 / -1; margin-bottom: 0; }
+section { grid-auto-flow: dense; }
+section a.tall { grid-row: span 2; }
 section a { display: flex; flex-direction: column; justify-content: space-between; padding: 12px; border-radius: 6px; background: #ffffff; color: inherit; text-decoration: none; }
 section a:hover, section a:focus-visible { outline: 2px solid #0072b2; }
 img { display: block; max-width: 100%; height: auto; margin: auto; }
@@ -70,7 +72,7 @@ pub fn write(pieces: &[Piece], folder: &Path) -> Result<(), SketchError> {
         let page = machine(piece, beside, is_live)?;
         std::fs::write(folder.join(format!("{}.html", stem(piece))), page)?;
     }
-    Ok(std::fs::write(folder.join("index.html"), index(pieces))?)
+    Ok(std::fs::write(folder.join("index.html"), index(pieces)?)?)
 }
 
 /// The pieces as the index has them.
@@ -88,8 +90,21 @@ fn live_file(name: &str) -> String {
     format!("live_{}.html", name.replace("::", "_"))
 }
 
+/// True for a picture of which two lower ones are as high, with their texts.
+fn is_tall(piece: &Piece) -> Result<bool, SketchError> {
+    let still = piece.film.still().width(WIDTH).to_svg()?;
+    let side = |name: &str| {
+        let (_, behind) = still.split_once(&format!(" {name}=\""))?;
+        behind.split('"').next()?.parse::<f64>().ok()
+    };
+    Ok(side("height").zip(side("width")).is_some_and(|(height, width)| height > 1.3 * width))
+}
+
 /// The index: a section for each kind of machine.
-pub fn index(pieces: &[Piece]) -> String {
+///
+/// # Errors
+/// The first drawing that fails.
+pub fn index(pieces: &[Piece]) -> Result<String, SketchError> {
     let (mut links, mut sections) = (String::new(), String::new());
     for kind in Kind::ALL {
         let (id, heading) = (format!("{kind:?}"), kind.heading());
@@ -97,14 +112,15 @@ pub fn index(pieces: &[Piece]) -> String {
         sections += &format!("<section id=\"{id}\">\n<h2>{heading}</h2>\n");
         for piece in pieces.iter().filter(|piece| piece.kind == kind) {
             let (stem, text, name) = (stem(piece), piece.text, piece.name);
+            let class = if is_tall(piece)? { " class=\"tall\"" } else { "" };
             sections += &format!(
-                "<a href=\"{stem}.html\"><img src=\"{stem}.svg\" loading=\"lazy\" alt=\"\">\
+                "<a href=\"{stem}.html\"{class}><img src=\"{stem}.svg\" loading=\"lazy\" alt=\"\">\
                  <span>{text}<br><code>{name}</code></span></a>\n"
             );
         }
         sections += "</section>\n";
     }
-    format!("{HEAD}<nav>\n{links}</nav>\n</header>\n<main>\n{sections}</main>\n</html>\n")
+    Ok(format!("{HEAD}<nav>\n{links}</nav>\n</header>\n<main>\n{sections}</main>\n</html>\n"))
 }
 
 /// The page of a film with the machine's text, its declaration, and the machines before and behind.

@@ -95,6 +95,18 @@ fn visits() -> Vec<Visit> {
         ),
         visit("press_friction::CutPress", 1280, r#"[["look"], ["band"], ["texts"], ["sliders"]]"#),
         visit("press_friction::CutPress", 360, r#"[["look"], ["band"], ["sliders"]]"#),
+        visit(
+            "six_bar::SixBar",
+            800,
+            r#"[["look"], ["flat", "Position of ram angle", "Velocity of ram angle", "Acceleration of ram angle"]]"#,
+        ),
+        visit("crane::Crane", 800, r#"[["look"], ["sliders"]]"#),
+        Visit {
+            name: "hard::Rubbing",
+            html: hard::Rubbing::new().page().range("mu", 0.0..=0.82).to_html().unwrap(),
+            width: 800,
+            steps: r#"[["look"], ["jams", 3]]"#,
+        },
         visit("jansen_leg::JansenLeg", 1280, r#"[["look"], ["coupler", "foot"]]"#),
         visit("shear_bearings::FlyingShear", 360, r#"[["look"], ["crank"], ["sliders"]]"#),
         Visit {

@@ -167,6 +167,38 @@ const STEPS_OF = {
     expect(k > 0 && lines.every((line, n) => String(samples[n].holding?.[0] ?? "") === line[k]), "the table of the curves has no band");
     expect(samples.some(({ refused }) => refused?.kind === "Jams") || samples.every(({ forces }) => forces), "forces are gone without a reason");
   },
+  /// So much friction that joints jam at some poses: the band is interrupted there, and the table says why.
+  async jams(parts) {
+    play(false);
+    const [slider] = document.querySelectorAll("#params input[type=range]");
+    await set(slider, slider.max);
+    const [chart] = charts.filter(({ hasBand }) => hasBand), area = chart.band.getAttribute("d");
+    const holds = samples.map(({ holding }) => !!holding), runs = holds.filter((is, k) => is && !holds[k - 1]).length;
+    expect(runs === parts && area.split("M").length === parts + 1, "the band has", area.split("M").length - 1, "parts,", runs, "of", parts);
+    const edge = samples.findIndex((_, k) => !holds[k]), pieces = area.split("M").slice(1);
+    // Each part lies over its own poses.
+    const within = pieces.map((piece) => piece.match(/[\d.]+(?= )/g).map(Number)), { X } = chart;
+    expect(within.every((xs) => xs.every((x) => samples.some((at, k) => holds[k] && Math.abs(X(at.x) - x) < 0.1))), "the band lies over poses that jam");
+    const lines = csv().trim().split("\n").slice(1).map((line) => line.split(","));
+    expect(lines.every((line, k) => (line.at(-1) === "") === !samples[k].refused), "reasons stand beside poses that have none");
+    const told = lines.filter((line) => line.at(-1).includes("friction may hold itself here"));
+    expect(told.length > 5, "the table tells", told.length, "jams");
+    for (const [k, isThere] of [[edge, false], [edge - 1, true]]) {
+      go([samples[k].x]);
+      await drawn();
+      expect(chart.legend.textContent.includes("at rest") === isThere, "beside the edge the legend is", chart.legend.textContent);
+    }
+    $("#reset").click();
+    await drawn();
+    expect(chart.band.getAttribute("d").split("M").length === 2, "less friction leaves", chart.band.getAttribute("d").split("M").length - 1);
+  },
+  /// Charts of motions that are none are left out.
+  async flat(...names) {
+    const hidden = charts.filter(({ svg }) => getComputedStyle(svg).display === "none");
+    const found = hidden.map(({ title, series }) => `${title.textContent} ${series.map(({ name }) => name)}`);
+    expect(found.join() === names.join(), "left out are", found.join());
+    expect(charts.length > hidden.length, "no chart is left");
+  },
   /// Every slider at both ends and back, every mode.
   async sliders() {
     play(false);

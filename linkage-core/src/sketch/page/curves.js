@@ -47,6 +47,7 @@ const chartsOf = (name) => {
     grouped(own, (row) => unitOf(row, order)[0]).map((list) => ({
       title: `${ORDERS[order]} of ${name}`,
       unit: unitOf(list[0], order)[0],
+      isMotion: true,
       series: list.map((row) => ({
         name: row.row,
         isAngle: row.isAngle && order === 0,
@@ -134,6 +135,7 @@ const drawChart = (chart, width) => {
   // A row that is zero throughout is left out, unless all are.
   const isZero = (list) => list.every((x) => !(Math.abs(x) > 1e-12));
   const isShown = values.map((list) => !isZero(list) || values.every(isZero));
+  chart.isFlat = !!chart.isMotion && values.every((list) => isZero(list) && list.some(isFinite));
   const bands = samples.map(({ holding }) => (chart.hasBand && holding) || null);
   const range = rangeOf([...values.filter((_, k) => isShown[k]), ...bands.filter(Boolean)].flat()), [from, to] = domain();
   const X = (x) => left + ((width - left - right) * (x - from)) / (to - from);

@@ -50,6 +50,9 @@ const drawCurves = () => {
     trace(nodes.trace[k], lineThrough(samples.map(({ pose }) => !pose.error && onPage(pose.point(point)))));
   });
   charts.forEach((chart) => drawChart(chart, chartsWidth));
+  // A motion that is none is left out, unless nothing else is there.
+  const isAtRest = charts.every(({ isFlat }) => isFlat);
+  for (const { svg, isFlat } of charts) svg.style.display = isFlat && !isAtRest ? "none" : "";
 };
 
 const drawPose = () => {
