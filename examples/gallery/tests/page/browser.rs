@@ -100,7 +100,7 @@ fn visits() -> Vec<Visit> {
             800,
             r#"[["look"], ["flat", "Position of ram angle", "Velocity of ram angle", "Acceleration of ram angle"]]"#,
         ),
-        visit("crane::Crane", 800, r#"[["look"], ["sliders"]]"#),
+        visit("crane::Crane", 800, r#"[["look"], ["flat", "Acceleration of L x,y"], ["sliders"]]"#),
         Visit {
             name: "hard::Rubbing",
             html: hard::Rubbing::new().page().range("mu", 0.0..=0.82).to_html().unwrap(),

@@ -130,6 +130,8 @@ const STEPS_OF = {
       expect(isGap === (nodes.reach.getAttribute("visibility") !== "hidden"), "what is missing shows in a pose that is whole");
       if (isGap) expect(nodes.missing.getAttribute("d").startsWith("M"), "nothing is missing in a gap");
       expect(isGap === (nodes.ghost.getAttribute("visibility") !== "hidden"), "the last pose does not show");
+      const seen = [nodes.reach, nodes.ghost].flatMap((node) => [...node.querySelectorAll("*")]).filter((node) => getComputedStyle(node).visibility === "visible");
+      expect(isGap || !seen.length, "a part of what is hidden shows:", seen[0]?.outerHTML.slice(0, 60));
     });
     expect(met > 5 && met < 55, "in a gap", met, "times of 60");
     expect(charts.every(({ out }) => out.getAttribute("d").startsWith("M")), "no band over the gap");

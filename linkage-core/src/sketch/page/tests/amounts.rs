@@ -67,6 +67,15 @@ fn asked(random: &mut Random, count: usize, of_values: bool) -> Case {
         // Corners: reactions without friction that are zero.
         0 => rows.chunks_mut(width).for_each(|row| (row[1], row[2]) = (0.0, 0.0)),
         1 => (rows[1], rows[2]) = (0.0, 0.0),
+        // Reactions of which squares are out of range, or next to it.
+        3 => {
+            let size = [1e-130, 1e-138, 1e-146, 1e-155, 1e140, 1e153, 1e160];
+            let size = size[(random.bits() % 7) as usize];
+            rows.chunks_mut(width)
+                .for_each(|row| (row[1], row[2]) = (size * row[1], size * row[2]));
+        }
+        // A contact that does not rub, beside others.
+        4 => rows[0] = 0.0,
         // A pivot that is zero.
         2 if count == 1 => (rows[0], rows[3], rows[4]) = (1.0, 1.0, 0.0),
         _ => {}
@@ -116,7 +125,7 @@ fn steps<const W: usize, const M: usize>(rows: &[f64], guides: u32) -> String {
 }
 
 fn size(guides: u32, j: usize, x: f64, y: f64) -> f64 {
-    if guides >> j & 1 == 1 { x.abs().max(y.abs()) } else { (x * x + y * y).sqrt() }
+    if guides >> j & 1 == 1 { x.abs().max(y.abs()) } else { x.hypot(y) }
 }
 
 /// An upper bound of the spectral radius, Collatz's: the largest growth of a component.
