@@ -202,7 +202,7 @@ fn program(features: &[&str], name: &str, main: &str) -> u64 {
     let source = format!("{declared} fn main() {{ {main} }}");
     let scratch = Scratch::with(features, name, "");
     fs::write(scratch.root.join("src/main.rs"), source).expect("the source can be written");
-    // Of each object that is linked without this, tables for unwinding stay whose functions go.
+    // Without this, tables for unwinding stay whose functions go.
     scratch.cargo(&["build", "--release", "--config", "profile.release.lto=true"]);
     let built = format!("{}/compile_time/release/{name}", env!("CARGO_TARGET_TMPDIR"));
     fs::metadata(built).expect("it is built").len()
@@ -215,7 +215,7 @@ fn what_draws_is_in_no_program_that_does_not_draw() {
     let solves = "println!(\"{:?}\", M1::new().position(std::env::args().len() as f64));";
     let sizes = PAID.map(|(name, features)| program(features, &format!("size_{name}"), solves));
     println!("{sizes:?}");
-    // How constants are aligned may bring some bytes less.
+    // Another alignment of constants may bring some bytes less.
     assert!(sizes.iter().all(|&size| size <= sizes[0]), "{sizes:?}");
     assert_eq!(sizes[1], sizes[2], "who draws has nothing of pages");
     let draws = "println!(\"{}\", M1::new().page().to_html().unwrap().len());";
