@@ -291,11 +291,14 @@ fn solved_press<T: Float>(draw: &Draw) -> Result<(Vec<f64>, f64), SolveError> {
 /// are off by comes back over 1 − ρ. Losses are taken for slips below 30 of their units.
 const ROUNDINGS: f64 = 8.0;
 
+/// The forces and the largest share of a reaction, or why there are none.
+type Solved = Result<(Vec<f64>, f64), SolveError>;
+
 fn compared(
     name: &str,
     epsilon: f64,
     full: fn(&Draw) -> Option<Full>,
-    solved: fn(&Draw) -> Result<(Vec<f64>, f64), SolveError>,
+    solved: fn(&Draw) -> Solved,
 ) {
     let (mut random, mut counts, mut worst) = (Random::new(61), [0; 3], 0.0_f64);
     for _ in 0..Draw::count() {

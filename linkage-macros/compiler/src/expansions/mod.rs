@@ -57,14 +57,14 @@ fn kept_in() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src/expansions/hashes.txt")
 }
 
-/// What the tests look at, of one declaration.
+/// Everything that the tests look at, of one declaration.
 struct Expansion {
     hashes: Hashes,
     /// The script of its page.
     script: Option<String>,
 }
 
-/// Of every declaration. Tests run beside each other, and the first makes them for all.
+/// Expansions of every declaration. Tests run beside each other, and the first makes them for all.
 static ALL: LazyLock<BTreeMap<Key, Expansion>> = LazyLock::new(all);
 
 impl Expansion {

@@ -101,7 +101,7 @@ fn bits(answer: &EntryOutputs) -> [u64; 4] {
     answer.map(c_program::bits)
 }
 
-/// What is expected of the calls, which every program answers.
+/// Expected answers to the calls, which every program gives.
 pub(super) fn compare(
     programs: &[Program],
     calls: &[Call],
