@@ -14,15 +14,15 @@
 //! This module contains no formula of a group: generated code gives the clearance of each group
 //! ([`Solver`]).
 
+mod affine_form;
 mod around;
-mod enclosure;
 mod line;
 mod linear;
 mod passage;
 mod stretch;
 mod thresholds;
 
-pub(crate) use enclosure::AffineForm;
+pub(crate) use affine_form::AffineForm;
 
 use linear::Linear;
 use passage::Passage;

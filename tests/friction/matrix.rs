@@ -251,7 +251,10 @@ fn number<T: Float>(x: f64) -> T {
     T::lit(x, x as f32)
 }
 
-fn solved_four_bar<T: Float>(draw: &Draw) -> Result<(Vec<f64>, f64), SolveError> {
+/// The forces and the losses, or why there are none.
+type Solved = Result<(Vec<f64>, f64), SolveError>;
+
+fn solved_four_bar<T: Float>(draw: &Draw) -> Solved {
     let lit = number::<T>;
     let [a, b, c, dy] = draw.lengths.map(lit);
     let (mu, nu, radius, heavy) = (lit(draw.mu), lit(draw.nu), lit(draw.radius), lit(draw.heavy));
@@ -272,7 +275,7 @@ fn solved_four_bar<T: Float>(draw: &Draw) -> Result<(Vec<f64>, f64), SolveError>
     Ok((found.map(|number| number.value()).to_vec(), f.losses.value()))
 }
 
-fn solved_press<T: Float>(draw: &Draw) -> Result<(Vec<f64>, f64), SolveError> {
+fn solved_press<T: Float>(draw: &Draw) -> Solved {
     let lit = number::<T>;
     let [a, b, _, beside] = draw.lengths.map(lit);
     let (mu, nu, radius, heavy) = (lit(draw.mu), lit(draw.nu), lit(draw.radius), lit(draw.heavy));
@@ -290,9 +293,6 @@ fn solved_press<T: Float>(draw: &Draw) -> Result<(Vec<f64>, f64), SolveError> {
 /// 2ε each; accelerations and reactions divide by the sine once more, and are sums of both bars' terms. What the amounts
 /// are off by comes back over 1 − ρ. Losses are taken for slips below 30 of their units.
 const ROUNDINGS: f64 = 8.0;
-
-/// The forces and the largest share of a reaction, or why there are none.
-type Solved = Result<(Vec<f64>, f64), SolveError>;
 
 fn compared(
     name: &str,

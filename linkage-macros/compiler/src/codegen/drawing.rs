@@ -169,7 +169,7 @@ fn spring(cx: &Context<'_>, spring: &Spring) -> Option<TokenStream> {
 }
 
 fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
-    let made = cx.paths.item("Element");
+    let element = cx.paths.item("Element");
     let on = |carrier: Carrier| match carrier {
         Carrier::Ground => option(cx, None),
         Carrier::Link(link) => option(cx, Some(link.0)),
@@ -177,22 +177,22 @@ fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
     match step {
         Step::Ground { point, .. } => {
             let point = number(point.0);
-            quote!(#made::Ground(#point))
+            quote!(#element::Ground(#point))
         }
         Step::Guide { guide, carrier, .. } => {
             let (guide, carrier) = (number(guide.0), on(*carrier));
-            quote!(#made::Guide(#guide, #carrier))
+            quote!(#element::Guide(#guide, #carrier))
         }
         Step::Point { point, carrier, .. } => {
             let (point, carrier) = (number(point.0), on(*carrier));
-            quote!(#made::Point(#point, #carrier))
+            quote!(#element::Point(#point, #carrier))
         }
         Step::Group(group) => self::group(cx, group),
     }
 }
 
 fn group(cx: &Context<'_>, group: &Group) -> TokenStream {
-    let [made, member] = ["Element", "Member"].map(|name| cx.paths.item(name));
+    let [element, member] = ["Element", "Member"].map(|name| cx.paths.item(name));
     let members = group.outer.iter().enumerate().map(|(index, joint)| {
         let (link, shape) = (number(group.links[index].0), shape(cx, group, index));
         let on = joint.point().map(|point| point.0).or(joint.guide().map(|guide| guide.0));
@@ -208,7 +208,7 @@ fn group(cx: &Context<'_>, group: &Group) -> TokenStream {
         quote!(#member::#shape(#link, #on)#turned)
     });
     let (members, pin): (Vec<_>, _) = (members.collect(), option(cx, group.pin.map(|pin| pin.0)));
-    quote!(#made::Group(&[#(#members),*], #pin))
+    quote!(#element::Group(&[#(#members),*], #pin))
 }
 
 /// The word for the shape of a link, from its joints.

@@ -15,7 +15,8 @@ use crate::interface::units_in_words::unit;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::{Dimension, Mechanism, Param, ParamKind};
 
-/// The page of a mechanism, and nothing where the run-time crate has no feature `page`. `cx` is the solver's in `f64`, `source` the declaration's text.
+/// The page of a mechanism, and nothing where the run-time crate has no feature `page`. `cx` is the solver's in
+/// `f64`, `source` the declaration's text.
 pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> TokenStream {
     let mechanism = cx.mechanism;
     let (name, float) = (&cx.names.solver, &cx.names.scalar);
@@ -32,22 +33,22 @@ pub(super) fn items(cx: &Context<'_>, solver: &Lowered<'_>, source: &str) -> Tok
     let values = mechanism.params.iter().map(|param| value(cx, param));
     quote! {
         #with_page! {
-        impl #paged for #name<#float> {
-            const PAGE: #declared =
-                #declared::new([#script, #source, #inputs, #params, #loads, #outputs]);
+            impl #paged for #name<#float> {
+                const PAGE: #declared =
+                    #declared::new([#script, #source, #inputs, #params, #loads, #outputs]);
 
-            fn params(&self) -> #vec<#float> {
-                #vec::from([#(#values),*])
+                fn params(&self) -> #vec<#float> {
+                    #vec::from([#(#values),*])
+                }
             }
-        }
 
-        impl #name<#float> {
-            /// A page on which the mechanism is dragged, with these parameters at first.
-            #[must_use]
-            pub fn page(&self) -> #page<Self> {
-                #page::of(self)
+            impl #name<#float> {
+                /// A page on which the mechanism is dragged, with these parameters at first.
+                #[must_use]
+                pub fn page(&self) -> #page<Self> {
+                    #page::of(self)
+                }
             }
-        }
         }
     }
 }

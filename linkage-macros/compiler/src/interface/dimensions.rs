@@ -121,25 +121,12 @@ pub(crate) fn of_effort(mechanism: &Mechanism, effort: Effort) -> Dimension {
 
 /// The dimension whose product with this is a work.
 pub(crate) fn effort_along(dimension: Dimension) -> Dimension {
-    let Dimension { length, mass, time, .. } = dimension;
-    let work = Dimension::TORQUE;
-    Dimension {
-        length: work.length - length,
-        mass: work.mass - mass,
-        time: work.time - time,
-        angle: false,
-    }
+    Dimension::TORQUE.times(dimension, -1)
 }
 
 /// The dimension whose product with the second rate of the column is an effort along the row.
 fn of_inertia(row: Dimension, column: Dimension) -> Dimension {
-    let (effort, rate) = (effort_along(row), column);
-    Dimension {
-        length: effort.length - rate.length,
-        mass: effort.mass - rate.mass,
-        time: effort.time - rate.time + 2,
-        angle: false,
-    }
+    effort_along(row).times(column, -1).times(Dimension::TIME, 2)
 }
 
 #[cfg(test)]

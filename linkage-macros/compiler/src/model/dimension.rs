@@ -33,7 +33,7 @@ impl Dimension {
     }
 
     /// The dimension of a product with a power of the other. An angle stays one beside numbers.
-    pub(super) fn times(self, other: Self, power: i32) -> Self {
+    pub(crate) fn times(self, other: Self, power: i32) -> Self {
         let sum = |mine: i32, its: i32| mine.saturating_add(its.saturating_mul(power));
         let length = sum(self.length, other.length);
         let mass = sum(self.mass, other.mass);
