@@ -213,11 +213,13 @@ impl Scale {
     /// as the smallest normal number is, which leaves them large enough to be squared.
     #[inline(always)]
     fn of<const N: usize>(numbers: [f64; N]) -> Option<Self> {
-        let largest = numbers.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-        if !numbers.iter().all(|x| x.is_finite()) {
+        // The patterns of magnitudes are in the numbers' order, with all that is not finite at the end.
+        let patterns = numbers.map(|x| x.abs().to_bits());
+        let largest = patterns.into_iter().fold(0, u64::max);
+        if largest >= f64::INFINITY.to_bits() {
             return None;
         }
-        let exponent = ((largest.to_bits() >> 52) as i32).max(1) - 1023;
+        let exponent = ((largest >> 52) as i32).max(1) - 1023;
         Some(Self { down: power_of_two(-exponent), up: power_of_two(exponent), exponent })
     }
 
