@@ -23,7 +23,7 @@ use equation::Equation;
 pub(crate) use equation::{crossing, differentiated};
 pub(crate) use lowest::lowest;
 #[cfg(all(test, feature = "page"))]
-pub(crate) use survey::judged;
+pub(crate) use survey::{judged, surveyed};
 
 use crate::Real;
 use crate::crossing::SEVERAL_DEAD_POINTS;

@@ -327,6 +327,27 @@ pub(crate) fn judged(ends: [At<f64>; 2], error: f64, middle: At<f64>) -> (bool, 
     (open.is_clear(), open.only_turn().unwrap_or(0.0), open.remainder_of_halves(middle))
 }
 
+/// The course between the first and the last of the places in a word, with the samples that it names, and the
+/// evaluations: beside what the script of a page finds.
+#[cfg(all(test, feature = "page"))]
+pub(crate) fn surveyed(
+    f: impl FnMut(f64) -> [f64; 2],
+    places: [f64; 4],
+    most: u32,
+) -> (&'static str, std::vec::Vec<At<f64>>, u32) {
+    let mut f = Equation::new(f, super::Trend::Rising);
+    let places = places.map(|x| f.at(x).expect("it is a number everywhere"));
+    let (word, met) = match survey(&mut f, places, most).expect("it is a number everywhere") {
+        Course::Rises(ends) => ("rises", ends.into()),
+        Course::Zero(at) => ("zero", std::vec![at]),
+        Course::Never { nearest, falls } => {
+            ("never", nearest.into_iter().chain(falls.into_iter().flatten()).collect())
+        }
+        Course::Unknown => ("unknown", std::vec![]),
+    };
+    (word, met, f.evaluations())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

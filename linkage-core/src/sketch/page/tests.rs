@@ -2,7 +2,9 @@
 
 mod amounts;
 mod cases;
+mod courses;
 mod node;
+mod routines;
 mod searches;
 
 use std::format;
@@ -11,6 +13,8 @@ use std::vec::Vec;
 
 use amounts::amounts;
 use cases::{Case, conditions, kernels};
+use courses::{COURSE, courses};
+use routines::{ROUTINE, routines};
 use searches::{pieces, searches};
 
 /// Compares each line's answer with the script's own. Zeros of both signs differ, NaN are alike.
@@ -59,6 +63,8 @@ const stepped = ([count, guides, ...numbers]) => {
 const answer = (name, given) => {
   if (name === "steps") return stepped(given);
   if (name === "amounts") return rubbing(given);
+  if (name === "routine") return routine(given);
+  if (name === "course") return course(given);
   if (name === "piece") {
     const place = (k) => ({ x: given[k], value: given[k + 1], slope: given[k + 2] });
     const piece = new Open([place(1), place(4)], given[0]);
@@ -89,7 +95,7 @@ fn compare(cases: impl Iterator<Item = Case>) {
     }
     let lines: String = cases.map(|case| format!("{case}\n")).collect();
     let run_time = [&super::ARITHMETIC[..], &super::SEARCH, &super::FRICTION].concat().concat();
-    let script = format!("{run_time}{COMPARE}");
+    let script = format!("{run_time}{COURSE}{ROUTINE}{COMPARE}");
     let Some(output) = node::run(&script, &lines) else { return };
     assert!(output.is_success, "{}", output.text);
 }
@@ -107,6 +113,22 @@ fn the_script_decides_alike_beside_limits() {
 #[test]
 fn the_script_searches_alike() {
     compare(searches().chain(pieces()));
+}
+
+/// Every kind of course is often met.
+#[test]
+fn the_script_surveys_alike() {
+    let cases: Vec<Case> = courses().collect();
+    for word in ["rises", "zero", "never", "unknown"] {
+        let met = cases.iter().filter(|case| case.answer.starts_with(word)).count();
+        assert!(met > 500, "{word}: {met} of {}", cases.len());
+    }
+    compare(cases.into_iter());
+}
+
+#[test]
+fn the_script_leaves_the_fast_path_with_all_its_frictions() {
+    compare(routines());
 }
 
 /// Every kind of answer is often met.

@@ -38,7 +38,8 @@ fn signed(random: &mut Random) -> f64 {
     2.0 * random.unit() - 1.0
 }
 
-fn asked(random: &mut Random, count: usize, of_values: bool) -> Case {
+/// A system: how many amounts it has, which are guides, where steps begin, and its rows.
+pub(super) fn system(random: &mut Random, count: usize, of_values: bool) -> Vec<f64> {
     let width = 3 + 2 * count;
     let mut rows: Vec<f64> = (0..count * width).map(|_| signed(random)).collect();
     for row in rows.chunks_mut(width) {
@@ -90,15 +91,25 @@ fn asked(random: &mut Random, count: usize, of_values: bool) -> Case {
                 * [1.0, 1.0, 1.0, 3.0][(random.bits() % 4) as usize]
         })
         .collect();
-    let answer = match count {
-        1 => said::<5, 1>(&rows, guides, &start),
-        2 => said::<7, 2>(&rows, guides, &start),
-        3 => said::<9, 3>(&rows, guides, &start),
-        4 => said::<11, 4>(&rows, guides, &start),
-        _ => said::<19, 8>(&rows, guides, &start),
-    };
-    let given = [vec![count as f64, f64::from(guides)], start, rows].concat();
-    Case { name: "amounts", given, answer }
+    [vec![count as f64, f64::from(guides)], start, rows].concat()
+}
+
+fn asked(random: &mut Random, count: usize, of_values: bool) -> Case {
+    let given = system(random, count, of_values);
+    Case { name: "amounts", answer: answer(&given), given }
+}
+
+/// The amounts of a system, or why it has none.
+pub(super) fn answer(given: &[f64]) -> String {
+    let (count, guides) = (given[0] as usize, given[1] as u32);
+    let (start, rows) = given[2..].split_at(count);
+    match count {
+        1 => said::<5, 1>(rows, guides, start),
+        2 => said::<7, 2>(rows, guides, start),
+        3 => said::<9, 3>(rows, guides, start),
+        4 => said::<11, 4>(rows, guides, start),
+        _ => said::<19, 8>(rows, guides, start),
+    }
 }
 
 /// The same system by the slow path's steps, and by guarded ones alone.
