@@ -42,6 +42,10 @@ impl Scratch {
     }
 
     fn cargo(&self, arguments: &[&str]) {
+        self.cargo_with(arguments, &[]);
+    }
+
+    fn cargo_with(&self, arguments: &[&str], variables: &[(&str, &str)]) {
         let [target, level] = match self.macro_is_optimised {
             false => [concat!(env!("CARGO_TARGET_TMPDIR"), "/compile_time"), "0"],
             true => [concat!(env!("CARGO_TARGET_TMPDIR"), "/compile_time_optimised"), "1"],
@@ -53,6 +57,7 @@ impl Scratch {
             .env("CARGO_TARGET_DIR", target)
             .env("CARGO_PROFILE_DEV_BUILD_OVERRIDE_OPT_LEVEL", level)
             .env("CARGO_INCREMENTAL", if self.is_incremental { "1" } else { "0" })
+            .envs(variables.iter().copied())
             .status()
             .expect("cargo can be started");
         assert!(status.success(), "cargo {arguments:?} failed in {}", self.root.display());
@@ -74,6 +79,30 @@ impl Scratch {
         self.cargo(arguments);
         Cost { clock: start.elapsed(), processor: processor_time_of_children() - before }
     }
+}
+
+/// The instructions of a cold check of the declarations alone, in thousand millions. They hardly depend on what else
+/// the machine does.
+fn instructions(scratch: &Scratch) -> f64 {
+    let counts = scratch.root.join("counts");
+    let _ = fs::remove_dir_all(&counts);
+    fs::create_dir_all(&counts).expect("the folder can be made");
+    let tool = "--tool=cachegrind --cache-sim=no --trace-children=yes";
+    let options =
+        format!("{tool} --cachegrind-out-file={}/%p --log-file=/dev/null", counts.display());
+    scratch.cargo(&["check"]);
+    let source = scratch.root.join("src/lib.rs");
+    let text = fs::read_to_string(&source).expect("the source can be read");
+    fs::write(&source, &text).expect("the source can be written");
+    // Cargo puts this program in front of the compiler for the scratch crate, and for nothing that it builds on.
+    let wrapped = [("RUSTC_WORKSPACE_WRAPPER", "valgrind"), ("VALGRIND_OPTS", &*options)];
+    scratch.cargo_with(&["check"], &wrapped);
+    let counted = fs::read_dir(&counts).expect("the folder is there").filter_map(|file| {
+        let text = fs::read_to_string(file.ok()?.path()).ok()?;
+        text.rsplit_once("summary: ")?.1.trim().parse::<f64>().ok()
+    });
+    // Cargo asks the compiler for its version as well, which takes far less.
+    counted.fold(0.0, f64::max) * 1e-9
 }
 
 /// The cost of a build.
@@ -173,27 +202,27 @@ const PAID: [(&str, &[&str]); 3] = [
     ("page", &["macros", "page"]),
 ];
 
-/// Cold, as the first build is; in turns, as the machine is quicker at one time than at another.
+/// Cold, as the first build is. Instructions are counted by Debian's `valgrind`, since times vary by more from one
+/// build to the next than `page` takes.
 #[test]
-#[ignore = "takes minutes, and measures the machine as well"]
+#[ignore = "takes minutes, and needs valgrind"]
 fn features_that_draw() {
     let fifty: String = (0..50).map(five_bodies).collect();
-    let scratches = PAID.map(|(name, features)| Scratch {
-        is_incremental: false,
-        ..Scratch::with(features, &format!("fifty_{name}"), &fifty)
+    let counts = PAID.map(|(name, features)| {
+        instructions(&Scratch {
+            is_incremental: false,
+            ..Scratch::with(features, &format!("fifty_{name}"), &fifty)
+        })
     });
-    let check = ["check"];
-    scratches.iter().for_each(|scratch| scratch.cargo(&check));
-    let mut costs = scratches.each_ref().map(|scratch| scratch.once(&check));
-    for _ in 0..9 {
-        for (cost, scratch) in costs.iter_mut().zip(&scratches) {
-            *cost = cost.least(scratch.once(&check));
-        }
+    println!("thousand million instructions, and the share beyond the row before");
+    for (k, (name, _)) in PAID.iter().enumerate() {
+        let before = counts[k.saturating_sub(1)];
+        println!("{name:>20} {:6.2} {:5.1} %", counts[k], 100.0 * (counts[k] / before - 1.0));
     }
-    for ((name, _), cost) in PAID.iter().zip(costs) {
-        let share = cost.processor.as_secs_f64() / costs[0].processor.as_secs_f64();
-        println!("{name:>20} {cost} {share:6.3}");
-    }
+    // A count that is no whole compiler's would be that of a question for its version.
+    assert!(counts.iter().all(|&count| count > 1.0), "{counts:?}");
+    assert!(counts[0] < counts[1] && counts[1] < counts[2], "{counts:?}");
+    assert!(counts[2] < 1.05 * counts[1], "who draws pays for pages: {counts:?}");
 }
 
 /// The bytes of a program, stripped of names.

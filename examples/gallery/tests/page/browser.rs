@@ -116,6 +116,12 @@ fn visits() -> Vec<Visit> {
             steps: r#"[["look"], ["coupler", "constructor"], ["texts"], ["sliders"]]"#,
         },
         Visit {
+            name: "hard::AtRest",
+            html: hard::AtRest::new().page().to_html().unwrap(),
+            width: 800,
+            steps: r#"[["flat"]]"#,
+        },
+        Visit {
             name: "hard::EightBar",
             html: hard::EightBar::new().page().to_html().unwrap(),
             width: 1280,

@@ -121,3 +121,27 @@ mechanism! {
         output theta.drive, C, ram, losses;
     }
 }
+
+mechanism! {
+    /// A block on a guide of a rocker, which goes where its group is refused.
+    pub struct Carried {
+        input theta: angle;
+        param coupler = 632mm;
+        ground A(0, 0), D(665.7mm, 0);
+        crank AB(A) -> B        { length: 80mm, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (coupler, 374mm), mode: right }
+        guide rail on DC through (100mm, 20mm) along 30deg;
+        slider block(rail) -> P { slide: 50mm + 20mm * sin(theta) }
+        output block;
+    }
+}
+
+mechanism! {
+    /// A crank whose only output is zero.
+    pub struct AtRest {
+        input theta: angle;
+        ground A(0, 0), D(300mm, 0);
+        crank AB(A) -> B { length: 80mm, angle: theta }
+        output height = D.y - A.y;
+    }
+}
