@@ -21,28 +21,27 @@
 //! # The search
 //! Newton's method from Φ(0). The slope of Φ is at most L in magnitude, so that its matrix needs no
 //! exchanges either. At a corner, where two components are equal or a reaction is zero, the slope is that of
-//! one side. Corners may send the steps in a cycle. So a search that has not ended after [`NEWTON`]
-//! steps begins anew, and a step that gains less than Φ would is replaced by Φ.
+//! one side. Corners may send the steps in a cycle. So a search that has not ended after a
+//! few steps begins anew, and a step that gains less than Φ would is replaced by Φ (`search.rs`).
 //!
 //! # Straight-line code
 //! Generated code finds up to three amounts itself, and hands proofs to the checks (`straight.rs` of
 //! `linkage-compiler`). The search is for where they fail, and for more amounts.
 //!
+//! # No panic
+//! Libraries without the standard library link at every level of optimisation, so that no index may be out of
+//! range for all that the compiler knows. At a level of size it knows an index from `0..M`, in the function
+//! that holds the loop: not one that an iterator counts, nor one that is handed on.
+//!
 //! # The end
 //! |Φⱼ(x) − xⱼ| ≤ 4ε (cⱼ ‖Gⱼ‖ + (L x)ⱼ), what rounding leaves of Φ: newtons stand beside newton metres, and
 //! each amount is measured by its own. For every x the solution x* obeys |x − x*| ≤ (I − L)⁻¹ |Φ(x) − x|.
 
+mod search;
 #[cfg(test)]
 mod tests;
 
 use crate::{Mask, Real, Scalar, SolveError};
-
-/// Steps of Newton's method before steps are guarded. Of 56,000 random problems of up to eight amounts five
-/// took more: all of them cycles.
-const NEWTON: usize = 8;
-
-/// Steps of the guarded search. One gains the factor 1 − 1/max w at least.
-const GUARDED: usize = 64;
 
 /// Units in the last place that rounding leaves of Φ.
 const ROUNDINGS: f32 = 4.0;
@@ -161,9 +160,9 @@ impl<T: Scalar, const W: usize, const M: usize> System<T, W, M> {
             let share = self.rows[j][SHARE];
             values[j] = share * size;
             let [x, y] = [share * x, share * y];
-            for (k, slope) in slope[j].iter_mut().enumerate() {
+            for k in 0..M {
                 let [by_x, by_y] = self.pair(j, CHANGES + 2 * k);
-                *slope = T::fused(by_x, x, by_y * y);
+                slope[j][k] = T::fused(by_x, x, by_y * y);
             }
         }
         (values, slope)
@@ -188,10 +187,13 @@ impl<T: Scalar, const W: usize, const M: usize> System<T, W, M> {
         (size, [x * inverse, y * inverse])
     }
 
+    #[inline(always)]
     fn is_guide(&self, j: usize) -> bool {
         self.guides >> j & 1 == 1
     }
 
+    /// Two numbers of a row.
+    #[inline(always)]
     fn pair(&self, j: usize, first: usize) -> [T; 2] {
         [self.rows[j][first], self.rows[j][first + 1]]
     }
@@ -212,9 +214,9 @@ impl<T: Scalar, const W: usize, const M: usize> System<T, W, M> {
     #[inline(always)]
     fn bounds(&self) -> [[T; M]; M] {
         let mut bounds = [[T::lit(0.0, 0.0); M]; M];
-        for (j, row) in bounds.iter_mut().enumerate() {
-            for (k, bound) in row.iter_mut().enumerate() {
-                *bound = self.amount(j, self.pair(j, CHANGES + 2 * k));
+        for j in 0..M {
+            for k in 0..M {
+                bounds[j][k] = self.amount(j, self.pair(j, CHANGES + 2 * k));
             }
         }
         bounds
@@ -224,8 +226,8 @@ impl<T: Scalar, const W: usize, const M: usize> System<T, W, M> {
     #[inline(always)]
     fn reaction(&self, j: usize, amounts: [T; M]) -> [T; 2] {
         let mut sum = [T::lit(0.0, 0.0); 2];
-        for (k, &amount) in amounts.iter().enumerate() {
-            let [x, y] = self.pair(j, CHANGES + 2 * k);
+        for k in 0..M {
+            let ([x, y], amount) = (self.pair(j, CHANGES + 2 * k), amounts[k]);
             sum = match k {
                 0 => [x * amount, y * amount],
                 _ => [T::fused(x, amount, sum[0]), T::fused(y, amount, sum[1])],
@@ -296,78 +298,6 @@ fn eliminate<T: Scalar, const M: usize>(matrix: &mut [[T; M]; M], right: &mut [T
         }
     }
     matrix[k][k] = inverse;
-}
-
-impl<const W: usize, const M: usize> System<f64, W, M> {
-    /// The only solution; or the contact at which friction may hold itself.
-    fn solved(&self) -> Result<[f64; M], usize> {
-        self.solved_in().map(|(amounts, _)| amounts)
-    }
-
-    /// The same, and the number of steps.
-    fn solved_in(&self) -> Result<([f64; M], usize), usize> {
-        let bounds = self.bounds();
-        jammed(bounds).map_or(Ok(()), Err)?;
-        let (start, _) = self.linear([0.0; M], &mut libm::hypot);
-        let mut amounts = start;
-        for step in 0..=NEWTON {
-            let (values, slope) = self.linear(amounts, &mut libm::hypot);
-            if Self::settled(amounts, values, start, &bounds) {
-                return Ok((amounts, step));
-            }
-            amounts = Self::newton(amounts, values, slope);
-        }
-        self.guarded(start, &bounds).ok_or(0)
-    }
-
-    /// Newton's steps, each replaced by Φ where it gains less than that.
-    fn guarded(&self, start: [f64; M], bounds: &[[f64; M]; M]) -> Option<([f64; M], usize)> {
-        let mut units = [1.0; M];
-        for j in 0..M {
-            let size = start[j] + (0..M).map(|k| bounds[j][k] * start[k]).sum::<f64>();
-            if size > 0.0 {
-                units[j] = size;
-            }
-        }
-        let weights = solve(without(*bounds), units);
-        let gain = (0..M).map(|j| 1.0 - units[j] / weights[j]).fold(0.0, f64::max);
-        let off = |amounts: [f64; M], values: [f64; M]| {
-            (0..M).map(|j| magnitude(values[j] - amounts[j]) / weights[j]).fold(0.0, f64::max)
-        };
-        let mut amounts = start;
-        let (mut values, mut slope) = self.linear(amounts, &mut libm::hypot);
-        for step in 0..=GUARDED {
-            if Self::settled(amounts, values, start, bounds) {
-                return Some((amounts, NEWTON + step));
-            }
-            let next = Self::newton(amounts, values, slope);
-            let (next_values, _) = self.linear(next, &mut libm::hypot);
-            let gains = off(next, next_values) <= gain * off(amounts, values);
-            amounts = if gains { next } else { values };
-            (values, slope) = self.linear(amounts, &mut libm::hypot);
-        }
-        None
-    }
-}
-
-/// Solutions and their steps, by all of the search and by guarded steps alone: beside those of a page's script.
-#[cfg(all(test, feature = "page"))]
-impl<const W: usize, const M: usize> System<f64, W, M> {
-    pub(crate) fn in_steps(&self) -> [Option<([f64; M], usize)>; 2] {
-        let (start, _) = self.linear([0.0; M], &mut libm::hypot);
-        [self.solved_in().ok(), self.guarded(start, &self.bounds())]
-    }
-}
-
-/// The first contact whose pivot is not positive.
-fn jammed<const M: usize>(bounds: [[f64; M]; M]) -> Option<usize> {
-    let (mut matrix, mut right) = (without(bounds), [0.0; M]);
-    (0..M).find(|&k| {
-        // NaN is no positive pivot.
-        let pivot = matrix[k][k];
-        eliminate(&mut matrix, &mut right, k);
-        pivot <= 0.0 || pivot.is_nan()
-    })
 }
 
 #[inline(always)]
