@@ -81,8 +81,15 @@ fn what_is_in_doubt_is_what_it_is_without_rounding() {
     // A square that leaves the range, and a product that nothing can be divided by.
     let tiny = ReachDistances([1e-22_f32, 0.6e-22, 0.6e-22, 0.0], GROUP).diagnose(0.0);
     assert_eq!(tiny, Err(NOT_FINITE));
-    let thin = ReachCircles([1e-9_f32, 0.0, 1e-30, 1e-9, 1.0, 1e30], GROUP).diagnose(0.0);
-    assert_eq!(thin, Err(NOT_FINITE));
+    // Such circles meet, and miss each other by rounding.
+    for d in [1e-9_f32, 1e-9_f32.next_up()] {
+        let thin = ReachCircles([d, 0.0, 1e-30, 1e-9, 1.0, 1e30], GROUP).diagnose(0.0);
+        assert_eq!(thin, Err(NOT_FINITE));
+    }
+    // On its limit a bar is at it, however short; inside, its legs are lost where their product is.
+    let least = f32::MIN_POSITIVE;
+    let short = |t: f32| ReachLine([t, least], GROUP).diagnose(0.0);
+    assert_eq!((short(least), short(least / 2.0)), (Ok(0.0), Err(NOT_FINITE)));
 }
 
 /// 64 √ε of what the sides are made of, in either width.
