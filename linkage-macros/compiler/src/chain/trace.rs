@@ -125,6 +125,7 @@ impl<'m> Trace<'m> {
             trace = Self::in_steps(machine, before, search, Way { step: finer, ..way.clone() });
         }
         if let (true, [first, .., last]) = (way.turns, &trace.samples[..]) {
+            let [first, last] = [first, last].map(|at| [at.drive, at.unknown]);
             trace.closes = closing(search, first, last);
         }
         trace
@@ -172,17 +173,17 @@ impl<'m> Trace<'m> {
     }
 }
 
-/// The turns of the unknown between two poses a turn apart, if they are one pose.
-fn closing(search: &SearchedGroup, first: &Sample<'_>, last: &Sample<'_>) -> Option<i32> {
+/// The turns of the unknown between two poses a turn apart, if they are one pose: of each the drive and the unknown.
+pub(super) fn closing(search: &SearchedGroup, first: [f64; 2], last: [f64; 2]) -> Option<i32> {
     const TURN: f64 = std::f64::consts::TAU;
     // Roots are found to 1e-11.
     const OFF: f64 = 1e-8;
-    let change = last.unknown - first.unknown;
+    let [driven, change] = [0, 1].map(|i| last[i] - first[i]);
     let turns = match search.steps[0] {
         Found::Slider { .. } => 0.0,
         _ => (change / TURN).round(),
     };
-    let is_turn = (last.drive - first.drive - TURN).abs() < OFF;
+    let is_turn = (driven - TURN).abs() < OFF;
     (is_turn && (change - TURN * turns).abs() < OFF).then_some(turns as i32)
 }
 

@@ -1,5 +1,7 @@
 //! Cuts of machines by their indices alone.
 
+mod traces;
+
 use std::time::Instant;
 
 use super::choice::{Unchosen, chosen};

@@ -1,0 +1,93 @@
+//! Motions that are followed from the drawing, pose by pose.
+
+use std::f64::consts::{PI, TAU};
+
+use super::super::pose::Posed;
+use super::super::trace::{Trace, Way, closing, drawn};
+use super::*;
+
+/// The triad with its moving pins at other places.
+fn drawn_at(places: [[f64; 2]; 4]) -> Machine {
+    let mut machine = triad();
+    for (pin, [x, y]) in places.into_iter().enumerate() {
+        machine.pins[3 + pin] = Complex::new(x, y);
+    }
+    machine
+}
+
+/// The ways to solve it, each with the trend that its equation has in the drawing.
+fn with_trends(machine: &Machine) -> (Vec<Found>, Vec<SearchedGroup>) {
+    let (crank, mut all) = ways(machine);
+    for search in &mut all {
+        let (mut given, mut posed) = (drawn(machine), Posed::new(machine));
+        let slope =
+            posed.run(&crank, &mut given, 0.0).and_then(|()| posed.slope(search, &mut given, 0.0));
+        search.rises = slope.unwrap_or(0.0) > 0.0;
+    }
+    (crank, all)
+}
+
+/// From pose to pose an unknown changes by less than a part of its unit and its equation keeps the trend: what is
+/// followed is one motion, which ends at a dead point and does not go on in another way to assemble the group.
+#[test]
+fn a_motion_does_not_jump_to_another_root() {
+    let mut seed = 5_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut followed, mut ended) = (0, 0);
+    for _ in 0..40 {
+        let machine = drawn_at([(); 4].map(|()| [5.0 * random() - 0.5, 4.0 * random()]));
+        let (crank, all) = with_trends(&machine);
+        let [way] = &Way::all(&machine)[..] else { panic!("a crank alone drives it") };
+        for search in all.iter().step_by(4) {
+            let trace = Trace::of(&machine, &crank, search, way);
+            followed += 1;
+            ended += usize::from(trace.closes.is_none());
+            for pair in trace.samples.windows(2) {
+                let jump = (pair[1].unknown - pair[0].unknown).abs() / search.unit(&machine);
+                assert!(jump < 0.4, "{search:?} jumps by {jump} at {}", pair[1].drive);
+                assert!(pair[1].drive > pair[0].drive);
+            }
+            for sample in &trace.samples {
+                assert_eq!(sample.slope > 0.0, search.rises, "{search:?} at {}", sample.drive);
+            }
+        }
+    }
+    assert!(followed > 60 && ended > 50, "{ended} of {followed}");
+}
+
+/// A small crank turns fully, and the bars about the ground come back; one that is measured against the crank has
+/// turned once against it.
+#[test]
+fn a_motion_of_a_full_turn_closes() {
+    let machine = drawn_at([[-0.98, 0.03], [0.8, 1.7], [3.0, 0.6], [1.9, 3.1]]);
+    let (crank, all) = with_trends(&machine);
+    let [way] = &Way::all(&machine)[..] else { panic!("a crank alone drives it") };
+    let turns: Vec<_> =
+        all.iter().map(|search| Trace::of(&machine, &crank, search, way).closes).collect();
+    assert!(turns.contains(&Some(0)) && turns.contains(&Some(-1)), "{turns:?}");
+    assert!(turns.iter().flatten().all(|turns| [0, -1].contains(turns)), "{turns:?}");
+}
+
+/// A pose that comes back after a turn of the drive, with the unknown where it was or whole turns on.
+#[test]
+fn a_turn_closes_where_the_unknown_is_back() {
+    let (_, all) = ways(&triad());
+    let crank = all.into_iter().find(|search| !matches!(search.steps[0], Found::Slider { .. }));
+    let crank = crank.expect("an angle is searched");
+    for (first, last, turns) in [
+        ([-PI, 0.3], [PI, 0.3], Some(0)),
+        ([-PI, 0.3], [PI, 0.3 + TAU], Some(1)),
+        ([0.0, 0.3], [TAU, 0.3 - 2.0 * TAU], Some(-2)),
+        ([-PI, 0.3], [PI, 0.3 + 1e-6], None),
+        ([-PI, 0.3], [PI, 0.3 - 1e-6 + TAU], None),
+        ([-PI, 0.3], [PI - 1e-6, 0.3], None),
+        ([-PI, 0.3], [PI + 1e-6, 0.3], None),
+        ([0.0, 0.3], [PI, 0.3], None),
+        ([0.0, 0.3], [-TAU, 0.3], None),
+    ] {
+        assert_eq!(closing(&crank, first, last), turns, "{first:?} to {last:?}");
+    }
+}
