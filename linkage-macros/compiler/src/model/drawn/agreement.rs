@@ -22,21 +22,36 @@ const CARELESS: f64 = 0.05;
 const TURNS: i32 = 4;
 
 /// A drive or a driven length, and its value in the drawing.
-struct DrawnEquation<'t> {
-    value: &'t Expr,
+pub(super) struct DrawnEquation<'t> {
+    pub value: &'t Expr,
     drawn: f64,
     /// The drive; none of a length.
     drive: Option<usize>,
     /// The body that has the length.
     body: usize,
-    is_angle: bool,
+    pub is_angle: bool,
 }
 
 impl DrawnEquation<'_> {
     /// The difference of a value from the drawing; angles differ by less than half a turn.
-    fn off(&self, value: f64) -> f64 {
+    pub(super) fn off(&self, value: f64) -> f64 {
         let off = value - self.drawn;
         if self.is_angle { off - TAU * (off / TAU).round() } else { off }
+    }
+
+    /// The drive or the length in words.
+    fn told(&self, bodies: &Bodies<'_>) -> String {
+        match self.drive {
+            Some(drive) => format!("`drive {}`", drive_as_written(bodies.drives[drive].1)),
+            None => format!("the length of {}", bodies.name(self.body)),
+        }
+    }
+
+    fn in_words(&self, value: f64) -> String {
+        match self.is_angle {
+            true => degrees(Complex::turned(value).angle()),
+            false => in_words(value),
+        }
     }
 }
 
@@ -74,12 +89,41 @@ impl Measured<'_> {
     /// them.
     pub(super) fn inputs_of_the_drawing(&mut self, bodies: &Bodies<'_>) -> Option<Vec<f64>> {
         let equations = equations(bodies)?;
-        let rows = self.rows(bodies, &equations)?;
-        let inputs = solved(rows.clone(), self.mechanism().inputs.len())?;
+        let count = self.mechanism().inputs.len();
+        // A function may be none where its secant ends.
+        let rows = self.rows(bodies, &equations);
+        let Some(rows) = rows.clone().filter(|rows| self.are_linear(bodies, &equations, rows))
+        else {
+            let secant = rows.and_then(|rows| solved(rows, count));
+            return self.approached(bodies, &equations, secant.map(|solution| solution.inputs));
+        };
+        let Solution { inputs, .. } = solved(rows.clone(), count)?;
         if self.disagreement(bodies, &equations, &inputs).is_none() {
             return Some(inputs);
         }
         Some(self.turned_on(bodies, &equations, &rows).unwrap_or(inputs))
+    }
+
+    /// True if all equations are, as all but few are: their inputs are those of one system.
+    fn are_linear(
+        &mut self,
+        bodies: &Bodies<'_>,
+        equations: &[DrawnEquation<'_>],
+        rows: &[Vec<f64>],
+    ) -> bool {
+        // No place where a function that bends comes back to its secant.
+        const ELSEWHERE: [f64; 3] = [0.618, -0.773, 2.236];
+        let count = self.mechanism().inputs.len();
+        equations.iter().zip(rows).all(|(equation, row)| {
+            let value = bodies.as_drawn(equation.value, &self.pen, &[]);
+            ELSEWHERE.iter().all(|&at| {
+                let terms = row[..count].iter().map(|coefficient| coefficient * at);
+                let linear = equation.drawn - row[count] + terms.sum::<f64>();
+                let found = self.at_inputs(&value, &vec![at; count]);
+                // Sums of a few numbers of the machine's size are rounded by less.
+                found.is_some_and(|found| (found - linear).abs() <= 1e-9 * (1.0 + found.abs()))
+            })
+        })
     }
 
     /// The inputs where an angle is drawn that is whole turns less than that of its drive.
@@ -97,7 +141,7 @@ impl Measured<'_> {
         let agreeing = tried.filter_map(|(index, turns)| {
             let mut rows = rows.to_vec();
             rows[index][count] += TAU * turns;
-            let inputs = solved(rows, count)?;
+            let Solution { inputs, .. } = solved(rows, count)?;
             self.disagreement(bodies, equations, &inputs).is_none().then_some(inputs)
         });
         // The one nearest to zero, as angles of the drawing are.
@@ -150,28 +194,43 @@ impl Measured<'_> {
 
     /// Reports a drive or a length that contradicts the drawing; `None` where there is one.
     pub(super) fn drives_agree(&mut self, bodies: &Bodies<'_>) -> Option<()> {
-        let Some(inputs) = self.inputs_of_the_drawing(bodies) else { return Some(()) };
         let equations = equations(bodies)?;
+        let Some(inputs) = self.inputs_of_the_drawing(bodies) else {
+            return self.can_be_as_drawn(bodies, &equations);
+        };
         let Some((index, value)) = self.disagreement(bodies, &equations, &inputs) else {
             return Some(());
         };
         let equation = &equations[index];
         let link = bodies.name(equation.body);
-        let told = match equation.drive {
-            Some(drive) => format!("`drive {}`", drive_as_written(bodies.drives[drive].1)),
-            None => format!("the length of {link}"),
-        };
-        let in_words = |value: f64| match equation.is_angle {
-            true => degrees(Complex::turned(value).angle()),
-            false => in_words(value),
-        };
+        let told = equation.told(bodies);
         let message = format!(
             "{told} contradicts the drawing: it is {} where the others are as drawn, and drawn as {}",
-            in_words(value),
-            in_words(equation.drawn)
+            equation.in_words(value),
+            equation.in_words(equation.drawn)
         );
         let reason =
             format!("draw {link} there, or change the value: in the drawing every drive holds");
+        let span: Extent = equation.value.span;
+        self.resolver.diagnostics.error_because(span, message, reason);
+        None
+    }
+}
+
+impl Measured<'_> {
+    /// Reports a drive or a length that no input brings to where it is drawn; `None` where there is one.
+    fn can_be_as_drawn(
+        &mut self,
+        bodies: &Bodies<'_>,
+        equations: &[DrawnEquation<'_>],
+    ) -> Option<()> {
+        let Some(index) = self.never_as_drawn(bodies, equations) else { return Some(()) };
+        let equation = &equations[index];
+        let (told, drawn) = (equation.told(bodies), equation.in_words(equation.drawn));
+        let message =
+            format!("{told} cannot be as drawn: no input was found at which it is {drawn}");
+        let link = bodies.name(equation.body);
+        let reason = format!("draw {link} where its value takes it, or change the value");
         let span: Extent = equation.value.span;
         self.resolver.diagnostics.error_because(span, message, reason);
         None
@@ -183,13 +242,21 @@ fn degrees(angle: f64) -> String {
     format!("{:.1}°", angle.to_degrees())
 }
 
+/// The solution of linear equations, and the places of those that determine it.
+pub(super) struct Solution {
+    pub inputs: Vec<f64>,
+    pub decided_by: Vec<usize>,
+}
+
 /// The solution of linear equations, each with its right side last; `None` where there is not exactly one.
-fn solved(mut rows: Vec<Vec<f64>>, count: usize) -> Option<Vec<f64>> {
+pub(super) fn solved(mut rows: Vec<Vec<f64>>, count: usize) -> Option<Solution> {
+    let mut order: Vec<usize> = (0..rows.len()).collect();
     for column in 0..count {
         // The first that says something of the input, so that a later one is what contradicts it. Coefficients are ratios
         // of gears and lengths of racks: far from rounding errors.
         let pivot = (column..rows.len()).find(|&row| rows[row][column].abs() > 1e-9)?;
         rows.swap(column, pivot);
+        order.swap(column, pivot);
         let pivot = rows[column].clone();
         for (index, row) in rows.iter_mut().enumerate() {
             let factor = row[column] / pivot[column];
@@ -199,5 +266,7 @@ fn solved(mut rows: Vec<Vec<f64>>, count: usize) -> Option<Vec<f64>> {
         }
     }
     let solution = (0..count).map(|i| rows[i][count] / rows[i][i]);
-    solution.map(|value| value.is_finite().then_some(value)).collect()
+    let inputs = solution.map(|value| value.is_finite().then_some(value)).collect::<Option<_>>()?;
+    order.truncate(count);
+    Some(Solution { inputs, decided_by: order })
 }

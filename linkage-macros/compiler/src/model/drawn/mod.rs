@@ -9,6 +9,7 @@
 mod agreement;
 mod as_unknown;
 mod bars;
+mod bent;
 mod bodies;
 mod ends;
 mod figures;

@@ -66,3 +66,46 @@ fn geared_drives_say_where_the_input_is_drawn() {
         }
     }
 }
+
+/// A block drawn half a length along its guide, and a crank at 30° that another input turns.
+const BENT: &str = "ground A(0, 0); guide bed through A along 0deg; pin C(50mm, 0), B(60mm, 34.6410161513775mm); \
+                    link block(C) on bed, AB(A, B);";
+
+/// Drives that are no linear functions of their inputs hold in the drawing nevertheless: angles and lengths are
+/// those whose sines, roots and squares are drawn.
+#[test]
+fn bent_drives_say_where_the_input_is_drawn() {
+    let drives = |slide: &str, angle: &str| {
+        format!("{BENT} drive block.slide = {slide}; drive AB.angle = {angle};")
+    };
+    for (inputs, slide, angle, drawn) in [
+        ("t: angle", "100mm * sin(t)", "t", [PI / 6.0, f64::NAN]),
+        ("t: angle", "100mm * cos(t)", "30deg", [PI / 3.0, f64::NAN]),
+        // Where the secant from zero to one is level.
+        ("t: angle", "50mm + 100mm * sin(180 * t / 57.29577951308232)", "30deg", [0.0, f64::NAN]),
+        ("s: length", "sqrt(s * s + 1600(mm^2))", "30deg", [0.03, f64::NAN]),
+        ("s: length", "s", "asin(s / 0.1m)", [0.05, f64::NAN]),
+        ("a, b: angle", "100mm * sin(a)", "b + sin(2 * a) - sin(60deg)", [PI / 6.0, PI / 6.0]),
+    ] {
+        let source = format!("struct M {{ input {inputs}; {} }}", drives(slide, angle));
+        let found = mechanism(&source).drawn;
+        let found = found.unwrap_or_else(|| panic!("{slide}, {angle}: not determined"));
+        for (found, drawn) in found.iter().zip(drawn) {
+            assert!((found - drawn).abs() < 1e-9, "{slide}, {angle}: {found} for {drawn}");
+        }
+    }
+    let base = format!("input t: angle; {BENT} drive AB.angle = 30deg;");
+    check(&[(
+        &base,
+        "drive block.slide = 40mm * sin(t);",
+        "40mm * sin(t): `drive block.slide` cannot be as drawn: no input was found at which it is 50 mm / \
+         draw `block` where its value takes it, or change the value",
+    )]);
+    let base = format!("input t: angle; {BENT}");
+    check(&[(
+        &base,
+        "drive block.slide = 100mm * sin(t); drive AB.angle = 2 * t;",
+        "2 * t: `drive AB.angle` contradicts the drawing: it is 60.0° where the others are as drawn, and drawn as 30.0° / \
+         draw `AB` there, or change the value: in the drawing every drive holds",
+    )]);
+}
