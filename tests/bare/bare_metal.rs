@@ -14,47 +14,48 @@ use std::process::Command;
 use crate::build::{PACKAGE, library, sources, text};
 
 /// The optimisation levels at which a bare library is compiled.
-const LEVELS: [&str; 5] = ["1", "2", "3", "s", "z"];
+const LEVELS: [&str; 5] = ["1", "2", ALL, "s", "z"];
 
-/// Every entry point in both widths, as the start of a function's name and its end.
-const ENTRIES: [&str; 16] = [
-    "position",
-    "velocity",
-    "motion",
-    "coefficients",
-    "position_at",
-    "velocity_at",
-    "motion_at",
-    "margins",
-    "forces",
-    "statics",
-    "forces_at",
-    "statics_at",
-    "energy",
-    "energy_at",
-    "forward_dynamics",
-    "equations_of_motion",
+/// The level at which every mechanism is built.
+const ALL: &str = "3";
+
+/// Every entry point in both widths, as the end of a function's name; and the count of mechanisms that have it, at a
+/// level where few of them rub and where all are built.
+const ENTRIES: [(&str, [usize; 2]); 17] = [
+    ("position", [17, 31]),
+    ("velocity", [17, 31]),
+    ("motion", [17, 31]),
+    ("coefficients", [17, 31]),
+    ("position_at", [10, 18]),
+    ("velocity_at", [10, 18]),
+    ("motion_at", [10, 18]),
+    ("margins", [8, 8]),
+    ("forces", [8, 22]),
+    ("statics", [8, 22]),
+    ("forces_at", [4, 12]),
+    ("statics_at", [4, 12]),
+    ("energy", [4, 12]),
+    ("energy_at", [2, 7]),
+    ("forward_dynamics", [7, 17]),
+    ("equations_of_motion", [5, 7]),
+    ("holding", [2, 13]),
 ];
 
-/// The count of mechanisms that have the entry point.
-fn mechanisms_with(entry: &str) -> usize {
-    match entry {
-        "position_at" | "velocity_at" | "motion_at" => 8,
-        "margins" => 7,
-        "forces" | "statics" | "forward_dynamics" | "equations_of_motion" => 4,
-        "forces_at" | "statics_at" | "energy" => 2,
-        "energy_at" => 1,
-        _ => 13,
-    }
+/// The library at a level: where printed C is compared with it, all of it.
+fn library_at(level: &str) -> PathBuf {
+    let features = if level == ALL { "all" } else { "" };
+    library(features, level).unwrap_or_else(|error| panic!("-O{level}: {error}"))
 }
 
-/// The C functions that the library defines.
+/// The C functions that the library defines, but for the controls.
 fn functions(library: &Path) -> Vec<String> {
     let output = Command::new("nm").args(["-g", "--defined-only"]).arg(library).output();
     let symbols = text(&output.expect("nm comes with gcc").stdout);
     let code = symbols.lines().filter_map(|line| line.split_once(" T ")).map(|(_, name)| name);
     // Rust's own functions, and those of its compiler, have names that no C header declares.
-    let declared = code.filter(|name| name.contains('_') && !name.starts_with('_'));
+    let declared = code.filter(|name| {
+        name.contains('_') && !name.starts_with('_') && !name.starts_with("control_")
+    });
     let mut functions: Vec<String> = declared.map(str::to_owned).collect();
     functions.sort();
     functions.dedup();
@@ -63,7 +64,7 @@ fn functions(library: &Path) -> Vec<String> {
 
 /// Links these functions of the library into a program without anything else, or says what is
 /// missing.
-fn link_alone(library: &Path, functions: &[&str]) -> Result<PathBuf, String> {
+fn link_alone(library: &Path, name: &str, functions: &[&str]) -> Result<PathBuf, String> {
     let mut table = String::from("#include <stddef.h>\n");
     for name in functions {
         let _ = writeln!(table, "void {name}(void);");
@@ -71,8 +72,9 @@ fn link_alone(library: &Path, functions: &[&str]) -> Result<PathBuf, String> {
     let _ =
         writeln!(table, "void (*const volatile solvers[])(void) = {{{}}};", functions.join(", "));
     let _ = writeln!(table, "const size_t solver_count = {};", functions.len());
-    let stem = library.with_extension("");
-    let (source, program) = (stem.with_extension("table.c"), stem.with_extension("alone"));
+    // Tests that link against one library run side by side.
+    let beside = |ending| library.with_extension(format!("{name}{ending}"));
+    let (source, program) = (beside(".c"), beside(""));
     fs::write(&source, table).expect("the tests' directory can be written");
     let output = Command::new("gcc")
         .args(["-O1", "-ffreestanding", "-fno-tree-loop-distribute-patterns"])
@@ -87,25 +89,29 @@ fn link_alone(library: &Path, functions: &[&str]) -> Result<PathBuf, String> {
 }
 
 fn prove(level: &str) {
-    let library = library("", level).unwrap_or_else(|error| panic!("-O{level}: {error}"));
+    let library = library_at(level);
     let functions = functions(&library);
-    for entry in ENTRIES {
+    for (entry, counts) in ENTRIES {
         for ending in [format!("_{entry}"), format!("_{entry}_f32")] {
             // `…_equations_of_motion` is another entry point than `…_motion`.
-            let others = ENTRIES.iter().filter(|other| other.ends_with(&format!("_{entry}")));
+            let others = ENTRIES.iter().filter(|(other, _)| other.ends_with(&format!("_{entry}")));
             let others: Vec<String> =
-                others.map(|other| ending.replacen(&format!("_{entry}"), other, 1)).collect();
+                others.map(|(other, _)| ending.replacen(&format!("_{entry}"), other, 1)).collect();
             let is_this = |name: &&String| {
                 name.ends_with(&ending) && !others.iter().any(|other| name.ends_with(other))
             };
             let count = functions.iter().filter(is_this).count();
-            assert_eq!(count, mechanisms_with(entry), "-O{level}: functions on …{ending}");
+            assert_eq!(
+                count,
+                counts[usize::from(level == ALL)],
+                "-O{level}: functions on …{ending}"
+            );
         }
     }
     let methods = functions.iter().filter(|name| name.starts_with("methods_")).count();
     assert_eq!(methods, 32, "-O{level}: both widths of what `methods.rs` calls");
     let functions: Vec<&str> = functions.iter().map(String::as_str).collect();
-    if let Err(missing) = link_alone(&library, &functions) {
+    if let Err(missing) = link_alone(&library, "alone", &functions) {
         let suspects = places_that_panic(&library).join("\n");
         panic!("-O{level}: the solvers do not stand alone:\n{missing}\nPanics:\n{suspects}");
     }
@@ -134,30 +140,24 @@ fn places_that_panic(library: &Path) -> Vec<String> {
 
 #[test]
 #[ignore = "release builds of all solvers: `.ci/run` makes them"]
-fn solvers_stand_alone() {
-    prove("3");
-}
-
-#[test]
-#[ignore = "release builds of all solvers: `.ci/run` makes them"]
 fn solvers_stand_alone_at_every_optimisation_level() {
     for level in LEVELS {
         prove(level);
     }
 }
 
-/// The result of linking a control that has to compile; the error is the linker's message.
+/// The result of linking a control of the library; the error is the linker's message.
 fn linked(control: &str, level: &str) -> Result<(), String> {
-    let library = library(control, level).unwrap_or_else(|error| panic!("{control}: {error}"));
-    link_alone(&library, &["control"]).map(drop)
+    let library = library_at(level);
+    link_alone(&library, control, &[control]).map(drop)
 }
 
 #[test]
 #[ignore = "release builds of all solvers: `.ci/run` makes them"]
 fn a_reachable_panic_is_caught_at_every_optimisation_level() {
     for level in LEVELS {
-        assert_eq!(linked("control", level), Ok(()));
-        let error = linked("indexing", level).expect_err("an index may be out of range");
+        assert_eq!(linked("control_sound", level), Ok(()));
+        let error = linked("control_indexing", level).expect_err("an index may be out of range");
         assert!(error.contains("a_panic_is_reachable"), "-O{level}: {error}");
     }
 }
@@ -167,7 +167,7 @@ fn a_reachable_panic_is_caught_at_every_optimisation_level() {
 fn the_heap_is_caught() {
     let error = library("boxing", "3").expect_err("there is no allocator");
     assert!(error.contains("no global memory allocator found"), "{error}");
-    let error = linked("malloc", "3").expect_err("there is no C library");
+    let error = linked("control_malloc", "3").expect_err("there is no C library");
     assert!(error.contains("undefined reference to `malloc'"), "{error}");
 }
 

@@ -34,22 +34,52 @@ pub(crate) static PACKAGE: LazyLock<PathBuf> = LazyLock::new(|| {
     fs::write(package.join("Cargo.toml"), manifest).expect("the package's manifest");
     // The versions that this workspace is tested with, all of them on this machine already.
     fs::copy(Path::new(ROOT).join("Cargo.lock"), package.join("Cargo.lock")).expect("a lock file");
+    let [at_every_level, others] = rubbing_sources();
+    write_anew(&package.join("rubbing.rs"), &at_every_level);
+    write_anew(&package.join("other_rubbing.rs"), &others);
+    write_anew(&package.join("all_rubbing.rs"), &(at_every_level + &others));
     package
 });
 
+/// Writes a file unless it is as it is to be: what is written anew is built anew.
+fn write_anew(path: &Path, text: &str) {
+    if fs::read_to_string(path).ok().as_deref() != Some(text) {
+        fs::write(path, text).expect("the tests' directory can be written");
+    }
+}
+
 /// The mechanisms of the tests whose joints rub, with C functions.
 pub(crate) fn rubbing() -> PathBuf {
-    let path = directory().join("rubbing.rs");
-    let source = fs::read_to_string(Path::new(ROOT).join("tests/src/mechanisms/friction.rs"));
-    let source =
-        source.expect("it can be read").replace("\n    }\n}", "\n        export c;\n    }\n}");
-    // What is included has no documentation of its own.
-    let source = source.replacen("//!", "//", 1);
-    // Another test may be reading it.
-    if fs::read_to_string(&path).ok().as_ref() != Some(&source) {
-        fs::write(&path, source).expect("the tests' directory can be written");
-    }
-    path
+    PACKAGE.join("all_rubbing.rs")
+}
+
+/// Those of them that are built at every level: between them they hold every group, a motion that is told, one
+/// that follows from loads with several inputs, and a load that drives.
+const AT_EVERY_LEVEL: [&str; 3] = ["RubbingGroups", "RubbingArm", "RubbingEngine"];
+
+/// The other one that a load drives.
+const PUSHED: &str = "PushedCrank";
+
+/// The declarations that are built at every level, and the others.
+fn rubbing_sources() -> [String; 2] {
+    let mechanisms = Path::new(ROOT).join("tests/src/mechanisms");
+    let read = |name| fs::read_to_string(mechanisms.join(name)).expect("it can be read");
+    let (rubbing, pulled) = (read("friction.rs"), read("rubbing_pulled.rs"));
+    let is_one_of = |block: &str, names: &[&str]| {
+        names.iter().any(|name| block.contains(&format!("pub struct {name} ")))
+    };
+    let of = |source: &str| source.split("\nmechanism! {").skip(1).map(str::to_owned).collect();
+    let [mut blocks, pulled]: [Vec<String>; 2] = [of(&rubbing), of(&pulled)];
+    let wanted = [&AT_EVERY_LEVEL[..], &[PUSHED]].concat();
+    blocks.extend(pulled.into_iter().filter(|block| is_one_of(block, &wanted)));
+    let (at_every_level, others): (Vec<_>, Vec<_>) =
+        blocks.into_iter().partition(|block| is_one_of(block, &AT_EVERY_LEVEL));
+    assert_eq!(at_every_level.len(), AT_EVERY_LEVEL.len(), "each name is declared");
+    [at_every_level, others].map(|blocks| {
+        let exported = |block: String| block.replace("\n    }\n}", "\n        export c;\n    }\n}");
+        let declared = |block| format!("\nmechanism! {{{}", exported(block));
+        blocks.into_iter().map(declared).collect()
+    })
 }
 
 /// The static library with these features at this optimisation level, or what Cargo said.
@@ -57,14 +87,13 @@ pub(crate) fn library(features: &str, level: &str) -> Result<PathBuf, String> {
     built(features, level, "release", &[])
 }
 
-/// The same for a machine with fused operations, which are none without the standard library.
-pub(crate) fn fused_library(features: &str) -> Result<PathBuf, String> {
+/// All solvers for a machine with fused operations, which are none without the standard library.
+pub(crate) fn fused_library() -> Result<PathBuf, String> {
     // With a target of its own the macro is compiled once, without the flags.
     let target = "x86_64-unknown-linux-gnu";
     let flags = format!("target.{target}.rustflags=[\"-Ctarget-cpu=x86-64-v3\"]");
     let place = format!("{target}/release");
-    let features = format!("fused,{features}");
-    built(&features, "3", &place, &["--target", target, "--config", &flags])
+    built("fused,all", "3", &place, &["--target", target, "--config", &flags])
 }
 
 /// Also where the result is found, below the target directory, and other arguments.
@@ -76,7 +105,6 @@ fn built(features: &str, level: &str, place: &str, others: &[&str]) -> Result<Pa
         .arg(&target)
         .args(others)
         .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level)
-        .env("LINKAGE_RUBBING", rubbing())
         .current_dir(&*PACKAGE)
         .output()
         .expect("Cargo starts");

@@ -60,7 +60,7 @@ impl Given {
             "swing" => "angle()",
             _ if self.is_parameter => return format!("changed((double){})", self.place),
             name if name.contains("_rate") || name.contains("_acceleration") => "rate()",
-            "work" | "push" | "friction" => "effort()",
+            "work" | "push" | "friction" | "brake" | "gas" => "effort()",
             name if name.contains("drive") => "effort()",
             "x" => "stroke()",
             "h" => "span()",

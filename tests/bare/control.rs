@@ -1,24 +1,22 @@
-//! The defects that the proof has to catch, one at a time: each has to break the build.
+//! The defects that the proof has to catch: each has to break the build, or the link of a program that holds it.
 
 /// A panic: the length of the list is not known.
-#[cfg(feature = "indexing")]
 #[unsafe(no_mangle)]
-extern "C" fn control(index: usize) -> f64 {
+extern "C" fn control_indexing(index: usize) -> f64 {
     [0.5, 0.25][index]
 }
 
 /// The heap.
 #[cfg(feature = "boxing")]
 #[unsafe(no_mangle)]
-extern "C" fn control(index: usize) -> usize {
+extern "C" fn control_boxing(index: usize) -> usize {
     extern crate alloc;
     *core::hint::black_box(alloc::boxed::Box::new(index))
 }
 
 /// The heap behind the compiler's back.
-#[cfg(feature = "malloc")]
 #[unsafe(no_mangle)]
-extern "C" fn control(index: usize) -> *mut core::ffi::c_void {
+extern "C" fn control_malloc(index: usize) -> *mut core::ffi::c_void {
     unsafe extern "C" {
         fn malloc(size: usize) -> *mut core::ffi::c_void;
     }
@@ -29,21 +27,15 @@ extern "C" fn control(index: usize) -> *mut core::ffi::c_void {
 /// The standard library.
 #[cfg(feature = "printing")]
 #[unsafe(no_mangle)]
-extern "C" fn control(index: usize) -> usize {
+extern "C" fn control_printing(index: usize) -> usize {
     extern crate std;
     std::println!("{index}");
     index
 }
 
 /// Nothing wrong: what the other controls are without their mistakes.
-#[cfg(not(any(
-    feature = "indexing",
-    feature = "boxing",
-    feature = "malloc",
-    feature = "printing"
-)))]
 #[unsafe(no_mangle)]
-extern "C" fn control(index: usize) -> f64 {
+extern "C" fn control_sound(index: usize) -> f64 {
     match index {
         0 => 0.5,
         _ => 0.25,

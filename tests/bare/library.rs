@@ -1,20 +1,22 @@
 //! The solvers as a static library for a machine that has nothing: no standard library, no heap,
 //! and a panic handler that cannot be linked, so that a reachable panic is a link error.
 //!
-//! With a feature of `control` it holds, in place of the solvers, one thing that the proof has to
-//! catch, see `bare_metal.rs`; with `rubbing` the mechanisms whose joints rub, and with `fused`
-//! the standard library, see `printed_c.rs`.
+//! It also holds what the proof has to catch, see `bare_metal.rs`. With a feature of `unbuildable` it holds
+//! one thing in place of the solvers that may not even compile; with `all` it holds every mechanism that rubs, and with
+//! `fused` the standard library, see `printed_c.rs`.
 #![no_std]
 
-#[cfg(feature = "control")]
 mod control;
-#[cfg(not(any(feature = "control", feature = "rubbing")))]
+#[cfg(not(feature = "unbuildable"))]
 mod mechanisms;
-#[cfg(not(any(feature = "control", feature = "rubbing")))]
+#[cfg(not(feature = "unbuildable"))]
 mod methods;
-#[cfg(feature = "rubbing")]
+#[cfg(not(feature = "unbuildable"))]
 mod rubbing {
-    include!(env!("LINKAGE_RUBBING"));
+    use linkage_core::mechanism;
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/rubbing.rs"));
+    #[cfg(feature = "all")]
+    include!(concat!(env!("CARGO_MANIFEST_DIR"), "/other_rubbing.rs"));
 }
 
 #[cfg(not(feature = "fused"))]

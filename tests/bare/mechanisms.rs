@@ -282,3 +282,28 @@ mechanism! {
         export c;
     }
 }
+
+mechanism! {
+    /// A pin in the blocks of two bars. The offset bounds the reach of one, and the other ends where the pin is on
+    /// its pivot.
+    pub struct TurningBars {
+        input x: length;
+        param offset = 50mm;
+        param side: mode = behind;
+
+        // The ends of the stroke that the caller of printed C draws.
+        ground D(0.1702071748570875m, 0), E(0.3295983265517668m, 0);
+        guide bed through (0, 0) along 0deg;
+
+        slider pin(bed) -> B      { slide: x }
+        rpr    sleeve(B), bar(E)  { offset: offset, mode: side }
+        rpr    shoe(B), rod(D)    {}
+
+        gravity (0, -9.81);
+        mass 2kg on bar at (0.2m, 0) inertia 0.1(kg*m^2);
+        mass 1kg on rod at (0.1m, 20mm) inertia 0.02(kg*m^2);
+
+        output bar, rod, sleeve.slide, bar.margin, bar.E, rod.D, x.drive;
+        export c;
+    }
+}

@@ -185,14 +185,14 @@ static int same_numbers(const void *a, const void *b, size_t size, int is_single
 #endif
 }
 
-/* Keeps who has no pose, no solution or jams, once each. */
+/* Keeps who has no pose or an undefined one, no solution or jams, once each. */
 static void blame(const LinkageError *why)
 {
     const char *const who = why->group != NULL ? why->group : why->name;
     const size_t length = why->group != NULL ? why->group_length : why->name_length;
     const size_t taken = strlen(blamed);
     char entry[256];
-    if ((why->status != LINKAGE_OUT_OF_REACH && why->status < FIRST_OF_SEARCHES) || who == NULL || length > 200) {
+    if ((why->status > LINKAGE_SINGULAR && why->status < FIRST_OF_SEARCHES) || who == NULL || length > 200) {
         return;
     }
     memcpy(entry, " [", 2);
