@@ -22,7 +22,7 @@
 //! Newton's method from Φ(0). The slope of Φ is at most L in magnitude, so that its matrix needs no
 //! exchanges either. At a corner, where two components are equal or a reaction is zero, the slope is that of
 //! one side. Corners may send the steps in a cycle. So a search that has not ended after a
-//! few steps begins anew, and a step that gains less than Φ would is replaced by Φ (`search.rs`).
+//! few steps begins anew, and a step that gains less than Φ would is replaced by Φ (`guarded.rs`).
 //!
 //! # Straight-line code
 //! Generated code finds up to three amounts itself, and hands proofs to the checks (`straight.rs` of
@@ -37,7 +37,9 @@
 //! |Φⱼ(x) − xⱼ| ≤ 4ε (cⱼ ‖Gⱼ‖ + (L x)ⱼ), what rounding leaves of Φ: newtons stand beside newton metres, and
 //! each amount is measured by its own. For every x the solution x* obeys |x − x*| ≤ (I − L)⁻¹ |Φ(x) − x|.
 
-mod search;
+#![allow(clippy::needless_range_loop, reason = "see above: no panic")]
+
+mod guarded;
 #[cfg(test)]
 mod tests;
 

@@ -1,6 +1,6 @@
 //! The amounts against their own equations, on random systems and on constructed ones.
 
-use super::search::{GUARDED, NEWTON, jammed};
+use super::guarded::{GUARDED, NEWTON, jammed};
 use super::*;
 
 /// Uniform in [0, 1).
