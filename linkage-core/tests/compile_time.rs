@@ -87,16 +87,22 @@ fn instructions(scratch: &Scratch) -> f64 {
     let counts = scratch.root.join("counts");
     let _ = fs::remove_dir_all(&counts);
     fs::create_dir_all(&counts).expect("the folder can be made");
-    let tool = "--tool=cachegrind --cache-sim=no --trace-children=yes";
-    let options =
-        format!("{tool} --cachegrind-out-file={}/%p --log-file=/dev/null", counts.display());
+    // Cargo puts this program in front of the compiler for the scratch crate, and for nothing that it builds on.
+    let program = scratch.root.join("counted");
+    let tool = "--tool=cachegrind --cache-sim=no --trace-children=yes --log-file=/dev/null";
+    let counted = format!(
+        "#!/bin/sh\nexec valgrind {tool} --cachegrind-out-file='{}/%p' \"$@\"\n",
+        counts.display()
+    );
+    fs::write(&program, counted).expect("the script can be written");
+    let status = Command::new("chmod").arg("+x").arg(&program).status();
+    assert!(status.is_ok_and(|status| status.success()), "the script can be run");
     scratch.cargo(&["check"]);
     let source = scratch.root.join("src/lib.rs");
     let text = fs::read_to_string(&source).expect("the source can be read");
     fs::write(&source, &text).expect("the source can be written");
-    // Cargo puts this program in front of the compiler for the scratch crate, and for nothing that it builds on.
-    let wrapped = [("RUSTC_WORKSPACE_WRAPPER", "valgrind"), ("VALGRIND_OPTS", &*options)];
-    scratch.cargo_with(&["check"], &wrapped);
+    let program = program.to_str().expect("the path is text");
+    scratch.cargo_with(&["check"], &[("RUSTC_WORKSPACE_WRAPPER", program)]);
     let counted = fs::read_dir(&counts).expect("the folder is there").filter_map(|file| {
         let text = fs::read_to_string(file.ok()?.path()).ok()?;
         text.rsplit_once("summary: ")?.1.trim().parse::<f64>().ok()
