@@ -53,11 +53,26 @@
     overlaps(own);
     for (const [name, { left, right, top, bottom }, node] of own) {
       if (Math.min(left, top, view.width - right, view.height - bottom) < 0) fault(`${name} over the edge`);
-      if (!node.closest(".names")) continue;
-      const on = spots.find(([x, y, , half]) => Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom)) < half);
+      const isForce = node.matches(".force"), isOfJoint = ([, , what]) => what.startsWith("joint");
+      if (!isForce && !node.closest(".names")) continue;
+      const on = (isForce ? spots.filter(isOfJoint) : spots).find(([x, y, , half]) => Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom)) < half);
       if (on) fault(`${name} on a ${on[2]}`);
     }
     for (const { svg } of charts) overlaps(texts(svg));
+    for (const arrow of [...figure.querySelectorAll(".arrow")].filter(isSeen)) {
+      const { x, y, width, height } = arrow.getBBox();
+      if (Math.min(x, y, view.width - x - width, view.height - y - height) < 0) fault("an arrow over the edge");
+    }
+  };
+  /// Names of controls that are cut, values that have to be moved to be read, and controls out of their line.
+  const lookBeside = () => {
+    for (const node of document.querySelectorAll(".row label, .row > span, output, button, select")) {
+      if (node.scrollWidth > node.clientWidth + 1) fault(`${node.textContent} is cut`);
+    }
+    const values = document.querySelector(".scroll");
+    if (values.scrollWidth > values.clientWidth) fault(`the table is ${values.scrollWidth - values.clientWidth} wider than its place`);
+    const [shown, axis, saves] = ["#shown", "#axis", "#csv"].map((id) => $(id).getBoundingClientRect());
+    if (saves.top > shown.bottom || axis.top > shown.bottom) fault("a line of controls is broken");
   };
   addEventListener("load", () => setTimeout(() => {
     play(false);
@@ -65,8 +80,10 @@
     for (const q of [...PAGE.path.filter((_, k) => k % 9 === 0), ...poses]) {
       state.q = q;
       due = POSE;
+      told = 0;
       frame();
       look();
+      lookBeside();
     }
     parent.postMessage({ failures: [...faults].map(([what, count]) => `${what} ${count}×`), told: [`${seen} texts`] }, "*");
   }, 200));

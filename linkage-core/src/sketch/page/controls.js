@@ -5,7 +5,7 @@ const row = (into, docs) => element("div", { className: "row", title: docs ?? ""
 /// A slider with its name and its value in words. Returns a function that sets it.
 const slider = (into, id, { name, docs, from, to }, wordsOf, change, settle) => {
   const line = row(into, docs);
-  element("label", { htmlFor: id, textContent: name }, line);
+  entitle(element("label", { htmlFor: id }, line), name);
   const input = element("input", { type: "range", id, min: from, max: to, step: "any" }, line);
   const output = element("output", { htmlFor: id }, line);
   const set = (x) => {
@@ -24,7 +24,7 @@ const slider = (into, id, { name, docs, from, to }, wordsOf, change, settle) => 
 /// A choice between two words. Returns a function that sets it to +1 or −1.
 const choice = (into, { name, docs, words: both }, change) => {
   const line = row(into, docs);
-  element("span", { textContent: name }, line);
+  entitle(element("span", {}, line), name);
   const set = element("fieldset", { ariaLabel: name }, line);
   const buttons = both.map((word, k) => {
     const label = element("label", {}, set), button = element("input", { type: "radio", name, value: k ? -1 : 1 }, label);

@@ -239,7 +239,7 @@ const buildTable = () => {
   const table = $("#values");
   const row = (label, kind, contents) => {
     const line = table.insertRow();
-    element("th", { scope: kind, textContent: label }, line);
+    entitle(element("th", { scope: kind }, line), label);
     return contents.map((textContent) => element(kind === "row" ? "td" : "th", { textContent }, line));
   };
   if (rows.length) row("", "col", ["position", "velocity", "acceleration"]);
@@ -253,7 +253,11 @@ const buildTable = () => {
     const [cell] = row(label, "row", [""]);
     cells.push([cell, ({ forces }) => (forces ? words(forces[k], unit) : "–")]);
   });
-  if (MACHINE.holding) cells.push([row(`${driven} at rest`, "row", [""])[0], heldWords]);
+  if (MACHINE.holding) {
+    const [cell] = row(`${driven} at rest`, "row", [""]);
+    cell.className = "range";
+    cells.push([cell, heldWords]);
+  }
 };
 
 let told = 0;

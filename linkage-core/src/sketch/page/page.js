@@ -67,7 +67,7 @@ const drawPose = () => {
   drawJoints(pose, bodies);
   drawGap(pose);
   drawForces(pose, now.forces);
-  const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`).join("  ·  ");
+  const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`.replaceAll(" ", "\u00a0")).join("  ·  ");
   $("#state").textContent = now.refused ? why(now.refused) : said;
   $("#state").classList.toggle("warn", !!now.refused);
   const held = drag && pose.point(drag.point);

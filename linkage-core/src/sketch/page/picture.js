@@ -8,6 +8,10 @@ const element = (tag, properties, parent) => {
   parent?.append(node);
   return node;
 };
+/// Writes a name that may be divided behind a point or an underscore.
+const entitle = (node, text) => {
+  text.split(/(?<=[._])/).forEach((part) => node.append(part, element("wbr")));
+};
 const put = (node, attributes) => {
   for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
 };

@@ -259,19 +259,24 @@ const dashed = ({ at, radius, angle }, to) => {
 /// Reactions of joints, to a scale by which the cycle's largest is 90 pixels long.
 let largestForce = 0;
 const drawForces = (pose, forces) => {
+  // No arrow leaves the picture, whose sides are that far from the machine.
+  const isSlim = view.width < 500, most = isSlim ? 36 : 90;
+  const pins = [...used].map((point) => pose.point(point)).filter((at) => at).map(onPage);
   for (const { path, text, effort, point } of nodes.arrows) {
     const at = pose.point(point), k = efforts.findIndex((row) => row.effort === effort);
     const force = forces && [forces[k], forces[k + 1]], size = force ? Math.hypot(...force) : 0;
-    const length = (size / largestForce) * 90, isShown = at && length > 2;
+    const length = (size / largestForce) * most, isShown = at && length > 2;
     show(path, isShown);
     show(text, false);
     if (!isShown) continue;
     const from = onPage(at), to = [from[0] + (force[0] / size) * Math.max(length, 15), from[1] - (force[1] / size) * Math.max(length, 15)];
     trace(path, pathOf([from, to]) + pathOf([along(to, from, 9, 4), to, along(to, from, 9, -4)]));
-    if (length < 25 || view.width < 500) continue;
+    if (length < 25 || isSlim) continue;
     text.textContent = `${effort} ${digits(size, 3)} N`;
     const wide = 6.7 * text.textContent.length, sides = [to[0] + 6, to[0] - 6 - wide];
     if (to[0] < from[0]) sides.reverse();
-    write(text, wide, [-6, 16].flatMap((dy) => sides.map((x) => [x, to[1] + dy])));
+    const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, to[1] + dy]));
+    const isOnPin = ([x, y]) => pins.some(([u, v]) => Math.abs(u - x - wide / 2) < wide / 2 + 7 && Math.abs(v - y + 4) < 12);
+    write(text, wide, spots.sort((a, b) => isOnPin(a) - isOnPin(b)));
   }
 };
