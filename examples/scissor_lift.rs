@@ -4,44 +4,38 @@
 //! friction in the pins the effort is W/tan α and the efficiency tan λ/tan(λ + φ); pins cost the more the lower
 //! the lift stands, as their forces grow with the effort.
 
-use linkage_core::SolveError;
+use linkage_core::{SolveError, mechanism};
 
-use lifts::ScissorLift;
+mechanism! {
+    /// One stage: two arms, the nut on the second.
+    pub struct ScissorLift {
+        /// From the fixed pin to the nut.
+        input span: length;
+        /// Friction of the pins.
+        param pins = 0.12;
+        /// Friction of the thread.
+        param thread = 0.12;
+        load weight: force;
 
-mod lifts {
-    use linkage_core::mechanism;
+        ground A(0, 0);
+        guide bed through A along 0deg;
+        slider nut(bed) -> P         { slide: span }
+        rrr   long(A), nutted(P) -> M { lengths: (600mm, 600mm), mode: left }
+        // The platform's load is in its middle, above both pairs of ends.
+        point T on long at (1200mm, 0);
+        point S on nutted at (1200mm, 0);
 
-    mechanism! {
-        /// One stage: two arms, the nut on the second.
-        pub(crate) struct ScissorLift {
-            /// From the fixed pin to the nut.
-            input span: length;
-            /// Friction of the pins.
-            param pins = 0.12;
-            /// Friction of the thread.
-            param thread = 0.12;
-            load weight: force;
+        force (0, -weight / 2) on T;
+        force (0, -weight / 2) on S;
+        friction pins at A radius 20mm;
+        friction pins on nutted at P radius 20mm;
+        friction pins at M radius 20mm;
 
-            ground A(0, 0);
-            guide bed through A along 0deg;
-            slider nut(bed) -> P         { slide: span }
-            rrr   long(A), nutted(P) -> M { lengths: (600mm, 600mm), mode: left }
-            // The platform's load is in its middle, above both pairs of ends.
-            point T on long at (1200mm, 0);
-            point S on nutted at (1200mm, 0);
-
-            force (0, -weight / 2) on T;
-            force (0, -weight / 2) on S;
-            friction pins at A radius 20mm;
-            friction pins on nutted at P radius 20mm;
-            friction pins at M radius 20mm;
-
-            // A trapezoidal screw of 25 mm, its lead 5 mm and its mean diameter 22.5 mm.
-            let lead = atan(5mm / (3.14159265358979 * 22.5mm));
-            output span.drive, T, turning = span.drive * 11.25mm,
-                   raising = -span.drive * 11.25mm * tan(lead + atan(thread)),
-                   lowering = -span.drive * 11.25mm * tan(atan(thread) - lead);
-        }
+        // A trapezoidal screw of 25 mm, its lead 5 mm and its mean diameter 22.5 mm.
+        let lead = atan(5mm / (3.14159265358979 * 22.5mm));
+        output span.drive, T, turning = span.drive * 11.25mm,
+               raising = -span.drive * 11.25mm * tan(lead + atan(thread)),
+               lowering = -span.drive * 11.25mm * tan(atan(thread) - lead);
     }
 }
 

@@ -5,42 +5,36 @@
 //! at rest, so that the block creeps on, the slower the smaller the smoothing, at ever more steps.
 
 use charts::{COLOURS, Curve, GREY, Panel};
-use linkage_core::SolveError;
+use linkage_core::{SolveError, mechanism};
 
-use blocks::{CreepingBlock, DryBlock};
-
-mod blocks {
-    use linkage_core::mechanism;
-
-    mechanism! {
-        /// A block of 2 kg on a level guide.
-        pub(crate) struct DryBlock {
-            input x: length;
-            ground O(0, 0);
-            guide bed through O along 0deg;
-            slider block(bed) -> P { slide: x }
-            gravity (0, -9.81(m/s^2));
-            mass 2kg on block at (0, 0);
-            force (-800(N/m) * x, 0) on P;
-            friction 0.25 on block;
-            output x.drive, losses;
-        }
+mechanism! {
+    /// A block of 2 kg on a level guide.
+    pub struct DryBlock {
+        input x: length;
+        ground O(0, 0);
+        guide bed through O along 0deg;
+        slider block(bed) -> P { slide: x }
+        gravity (0, -9.81(m/s^2));
+        mass 2kg on block at (0, 0);
+        force (-800(N/m) * x, 0) on P;
+        friction 0.25 on block;
+        output x.drive, losses;
     }
+}
 
-    mechanism! {
-        /// The same with a smooth sign.
-        pub(crate) struct CreepingBlock {
-            input x: length;
-            param smoothing = 0.001(m/s);
-            ground O(0, 0);
-            guide bed through O along 0deg;
-            slider block(bed) -> P { slide: x }
-            gravity (0, -9.81(m/s^2));
-            mass 2kg on block at (0, 0);
-            force (-800(N/m) * x, 0) on P;
-            friction 0.25 on block smooth smoothing;
-            output x.drive, losses;
-        }
+mechanism! {
+    /// The same with a smooth sign.
+    pub struct CreepingBlock {
+        input x: length;
+        param smoothing = 0.001(m/s);
+        ground O(0, 0);
+        guide bed through O along 0deg;
+        slider block(bed) -> P { slide: x }
+        gravity (0, -9.81(m/s^2));
+        mass 2kg on block at (0, 0);
+        force (-800(N/m) * x, 0) on P;
+        friction 0.25 on block smooth smoothing;
+        output x.drive, losses;
     }
 }
 

@@ -6,8 +6,9 @@ use crate::declarations::{
     andrews_squeezer, calibration, cart, computed_torque, counterweight, crane,
     crank_rocker_slider, crank_rpp, dead_point, driving_torque, electronic_cam, excavator,
     five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, parallelograms,
-    press_friction, range, run_up, set_point, shear_bearings, six_bar, six_bar_reactions,
-    slider_crank, suspension, toggle_clamp, transplanter, vibration, whitworth,
+    press_friction, range, run_up, scissor_lift, set_point, shear_bearings, six_bar,
+    six_bar_reactions, slider_crank, stick_slip, suspension, toggle_clamp, transplanter, vibration,
+    whitworth,
 };
 use crate::motions::digging;
 
@@ -134,12 +135,29 @@ fn under_forces() -> Vec<Named> {
                 .to_html(),
         ),
         (
+            "scissor_lift::ScissorLift",
+            scissor_lift::ScissorLift::new()
+                .page()
+                .range("span", 0.6..=1.18)
+                .curves(["span.drive", "raising", "lowering"])
+                .load("weight", 8e3)
+                .to_html(),
+        ),
+        (
             "shear_bearings::FlyingShear",
             shear_bearings::FlyingShear::new().page().load("cut", 1e4).to_html(),
         ),
         plain("six_bar_reactions::SixBar", six_bar_reactions::SixBar::new().page()),
         plain("andrews_squeezer::Squeezer", andrews_squeezer::Squeezer::new().page()),
         plain("parallelograms::TwoParallelograms", parallelograms::TwoParallelograms::new().page()),
+        (
+            "stick_slip::DryBlock",
+            stick_slip::DryBlock::new().page().range("x", -0.1..=0.1).to_html(),
+        ),
+        (
+            "stick_slip::CreepingBlock",
+            stick_slip::CreepingBlock::new().page().range("x", -0.1..=0.1).to_html(),
+        ),
         (
             "vibration::Oscillator",
             vibration::Oscillator::new().page().range("x", -0.3..=0.3).to_html(),

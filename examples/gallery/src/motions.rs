@@ -9,8 +9,8 @@ use linkage_core::sketch::Film;
 use crate::declarations::{
     calibration, crank_rocker_slider, crank_rpp, driving_torque, electronic_cam, excavator,
     five_bar_robot, flying_shear, four_bar, function_generator, jansen_leg, press_friction, range,
-    set_point, shear_bearings, six_bar, six_bar_reactions, slider_crank, suspension, toggle_clamp,
-    transplanter, whitworth,
+    scissor_lift, set_point, shear_bearings, six_bar, six_bar_reactions, slider_crank, suspension,
+    toggle_clamp, transplanter, whitworth,
 };
 
 /// Under which heading a machine stands.
@@ -208,6 +208,13 @@ fn more() -> Vec<Piece> {
             text: "A toggle clamp, from open to where friction holds it.",
             film: toggle_clamp::ToggleClamp::new()
                 .film((0..=60).map(|step| 0.6 - 0.012 * f64::from(step))),
+        },
+        Piece {
+            name: "scissor_lift::ScissorLift",
+            kind: Kind::Loaded,
+            text: "A scissor lift on a screw, from 10° to 60°.",
+            film: scissor_lift::ScissorLift::new()
+                .film((20..=120).map(|half| 1.2 * (0.5 * f64::from(half)).to_radians().cos())),
         },
         Piece {
             name: "shear_bearings::FlyingShear",

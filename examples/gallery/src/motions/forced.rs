@@ -1,6 +1,6 @@
 //! Integrated motions, under forces, of the mechanisms of `examples/dynamics`.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use linkage_core::SolveError;
 use linkage_core::sketch::Film;
@@ -8,7 +8,7 @@ use linkage_core::sketch::Film;
 use super::{Kind, POSES, Piece, turn};
 use crate::declarations::{
     andrews_squeezer, cart, computed_torque, counterweight, crane, dead_point, parallelograms,
-    run_up, vibration,
+    run_up, stick_slip, vibration,
 };
 
 pub(super) fn pieces() -> Vec<Piece> {
@@ -18,6 +18,18 @@ pub(super) fn pieces() -> Vec<Piece> {
             kind: Kind::Free,
             text: "A mass on a spring, let go, over two periods.",
             film: oscillator(),
+        },
+        Piece {
+            name: "stick_slip::DryBlock",
+            kind: Kind::Free,
+            text: "A block on a spring that rubs on its bed: eight half swings, and it rests beside the middle.",
+            film: stick_slip::DryBlock::new().film(dry_swings()).seconds(8.0),
+        },
+        Piece {
+            name: "stick_slip::CreepingBlock",
+            kind: Kind::Free,
+            text: "The same swings by a smooth law, which would let the block creep on.",
+            film: stick_slip::CreepingBlock::new().film(dry_swings()).seconds(8.0),
         },
         Piece {
             name: "vibration::TwoMasses",
@@ -133,6 +145,20 @@ fn oscillator() -> Film {
     let states =
         integrated([10.0, 0.0], 2.0 * period, |_, state| machine.state_rates(state, 0.0, 0.0));
     machine.film(states.into_iter().map(|[x, _]| x)).seconds(2.0 * period)
+}
+
+/// The half swings of a block that is let go: cosines about the place to which the spring pulls against friction,
+/// μmg/k on this side and that, in turn.
+fn dry_swings() -> impl Iterator<Item = f64> {
+    const CENTRE: f64 = 0.25 * 2.0 * 9.81 / 800.0;
+    let swing = |half: i32| {
+        let (side, from) = (f64::from(1 - 2 * (half % 2)), 0.1 - 2.0 * CENTRE * f64::from(half));
+        (0..12).map(move |step| {
+            side * (CENTRE + (from - CENTRE) * (PI * f64::from(step) / 12.0).cos())
+        })
+    };
+    let rest = 0.1 - 16.0 * CENTRE;
+    (0..8).flat_map(swing).chain([rest; 12])
 }
 
 fn two_masses() -> Film {

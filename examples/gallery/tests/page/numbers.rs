@@ -170,6 +170,14 @@ macro_rules! forces {
             vec![("forces", solver.forces(q, v, a).map(|forces| forces.into_array().into()))]
         }
     };
+    (holding) => {
+        |solver, [q, v, a], _| {
+            vec![
+                ("forces", solver.forces(q, v, a).map(|forces| forces.into_array().into())),
+                ("holding", solver.holding(q).map(|ends| ends.into())),
+            ]
+        }
+    };
     (load) => {
         |solver, [q, v, a], loads| {
             let forces = solver.forces(q, v, a, loads[0]);
@@ -241,6 +249,9 @@ fn table(pages: &[(&'static str, String)]) -> Vec<Asked> {
         row!(driving_torque::AsInTheText {}; forces!()),
         row!(press_friction::CutPress { pins, ways }; forces!(load, holding)),
         row!(toggle_clamp::ToggleClamp { mu } of [[-0.3, 0.9]]; forces!(load, holding)),
+        row!(scissor_lift::ScissorLift { pins, thread } of [[0.3, 1.25]]; forces!(load, holding)),
+        row!(stick_slip::DryBlock {} of [[-0.1, 0.1]]; forces!(holding)),
+        row!(stick_slip::CreepingBlock { smoothing } of [[-0.1, 0.1]]; forces!()),
         row!(shear_bearings::FlyingShear {}; forces!(load)),
         row!(six_bar_reactions::SixBar {}; forces!()),
         row!(andrews_squeezer::Squeezer {}; no_forces!()),
