@@ -70,6 +70,18 @@ fn report_line(reader: &mut Reader<'_, '_, '_>, guide: usize) {
         reader.report(point, message, format!("or towards a point: `towards {point}`"));
         return;
     }
+    let written = written_line(reader, guide);
+    let from = written.and_then(|(spot, _)| match spot {
+        GuideAnchor::Point(point) => Some(point),
+        _ => None,
+    });
+    let towards = written.and_then(|(_, course)| match course {
+        Course::Towards(point) => Some(point),
+        _ => None,
+    });
+    if from.into_iter().chain(towards).any(|point| reader.pin(point).is_none()) {
+        return;
+    }
     let name = reader.guides[guide].name.clone();
     let message = format!("`{name}` has no place in the drawing");
     let reason = "a guide goes through a point and along an angle or towards a point, on a link \

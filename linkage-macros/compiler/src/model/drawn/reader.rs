@@ -281,7 +281,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
     }
 
     /// A pin by its name.
-    fn pin(&mut self, name: &Ident) -> Option<usize> {
+    pub(super) fn pin(&mut self, name: &Ident) -> Option<usize> {
         if let Some(&pin) = self.pin_of.get(&name.to_string()) {
             return Some(pin);
         }

@@ -57,6 +57,11 @@ fn names_of_a_drawing_are_given_once_and_exist() {
         ),
         (
             FOUR_BAR,
+            "guide bed through D towards K; guide rail through L along 0deg;",
+            "K: no pin named `K` / say where it is drawn: `pin K(…, …);`",
+        ),
+        (
+            FOUR_BAR,
             "link tail(C, C);",
             "C: `C` is named twice; remove one / `tail` goes through it once",
         ),
