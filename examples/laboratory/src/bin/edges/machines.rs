@@ -6,12 +6,12 @@ use crate::draw::map;
 use crate::race::{Pair, Run, calls, swept};
 
 /// Poses of a round, few enough for the first cache.
-const POSES: usize = 240;
+pub(crate) const POSES: usize = 240;
 
 /// Steps across a map.
 const ACROSS: u32 = 64;
 
-const OK: &str = "all slices are of one length";
+pub(crate) const OK: &str = "all slices are of one length";
 
 /// Multiples of the golden angle: all over a turn, in no order.
 fn angles() -> impl Iterator<Item = f64> {

@@ -1,5 +1,5 @@
-//! The slow corners of the run time: what a pose out of reach, a distance, a margin, an arc sine, a Jacobian
-//! and a search take, each over what the same takes without it.
+//! The slow corners of the run time: what a pose out of reach, a distance, a margin, an arc sine, a Jacobian,
+//! a search and friction take, each over what the same takes without it.
 //!
 //! ```text
 //! cargo run --release -p laboratory --bin edges
@@ -13,6 +13,7 @@
 mod draw;
 mod machines;
 mod race;
+mod rubbing;
 
 use race::median;
 
@@ -26,10 +27,13 @@ fn main() {
     }
     let rounds = argument.and_then(|rounds| rounds.parse().ok()).unwrap_or(ROUNDS);
     let mut machines = machines::all();
+    // Friction is measured on one machine, not on those that are drawn.
+    machines[0].1.extend(rubbing::pairs());
     let lines = machines[0].1.len();
     println!("                             aim  named  drawn  worst  ns a pose, named");
     for line in 0..lines {
-        let mut measured = machines.iter_mut().map(|(_, pairs)| pairs[line].measure(rounds));
+        let mut measured =
+            machines.iter_mut().filter_map(|(_, pairs)| Some(pairs.get_mut(line)?.measure(rounds)));
         let [named, time] = measured.next().expect("one is named");
         let drawn: Vec<f64> = measured.map(|[ratio, _]| ratio).collect();
         let worst = drawn.iter().copied().fold(0.0, f64::max);
