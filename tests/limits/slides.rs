@@ -22,6 +22,9 @@ fn a_pin_of_guides_along_the_axes_is_exact<T: Real>() {
         assert_eq!((first.x.value(), first.y.value()), (x.value(), y.value()));
         let second = AxesCrossed { x, y, away }.position(zero).unwrap().C;
         assert_eq!((second.x.value(), second.y.value()), (x.value(), y.value()));
+        // From a slope only the other coordinate is computed.
+        assert_eq!(RampAndPost { x, away }.position(zero).unwrap().C.x.value(), x.value());
+        assert_eq!(RampAndLevel { y, away }.position(zero).unwrap().C.y.value(), y.value());
     }
 }
 

@@ -39,6 +39,40 @@ mechanism! {
 }
 
 mechanism! {
+    /// A slope, and behind it an upright guide.
+    pub struct RampAndPost {
+        input s: length;
+        param x = 0.7m;
+        param away = 3000.7m;
+
+        guide ramp through (0, 0) along 30deg;
+        guide post through (x, away) along 90deg;
+        guide rail through (0, 0) along 0deg;
+        slider ram(rail) { slide: s }
+        prp p(ramp), q(post) -> C {}
+
+        output C, ram.slide;
+    }
+}
+
+mechanism! {
+    /// A slope, and behind it a level guide.
+    pub struct RampAndLevel {
+        input s: length;
+        param y = 0.3m;
+        param away = 3000.7m;
+
+        guide ramp through (0, 0) along 30deg;
+        guide level through (away, y) along 0deg;
+        guide rail through (0, 0) along 0deg;
+        slider ram(rail) { slide: s }
+        prp p(ramp), q(level) -> C {}
+
+        output C, ram.slide;
+    }
+}
+
+mechanism! {
     /// A guide on a body that turns about a pivot a kilometre away, and one on the ground.
     pub struct FarPivot {
         input theta: angle;
