@@ -1,4 +1,5 @@
-//! Integrated motions, under forces, of the mechanisms of `examples/dynamics`.
+//! Motions under forces: of the mechanisms of `examples/dynamics`, integrated, and of a block that rubs, in closed
+//! form.
 
 use std::f64::consts::{PI, TAU};
 

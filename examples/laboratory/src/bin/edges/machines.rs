@@ -6,16 +6,21 @@ use crate::draw::map;
 use crate::race::{Pair, Run, calls, swept};
 
 /// Poses of a round, few enough for the first cache.
-pub(crate) const POSES: usize = 240;
+const POSES: usize = 240;
 
 /// Steps across a map.
 const ACROSS: u32 = 64;
 
-pub(crate) const OK: &str = "all slices are of one length";
+const OK: &str = "all slices are of one length";
 
 /// Multiples of the golden angle: all over a turn, in no order.
 fn angles() -> impl Iterator<Item = f64> {
     (0..).map(|k| (f64::from(k) * 2.399_963_229_728_653) % std::f64::consts::TAU)
+}
+
+/// All over a turn.
+fn turn() -> Vec<f64> {
+    angles().take(POSES).collect()
 }
 
 macro_rules! sweep_of {
@@ -101,7 +106,6 @@ macro_rules! machine {
 
             pub(crate) fn pairs() -> Vec<Pair> {
                 let pair = |what, aim, runs| Pair { what, aim, runs };
-                let turn = || angles().take(POSES).collect::<Vec<f64>>();
                 let narrow = || turn().into_iter().map(|angle| angle as f32).collect::<Vec<f32>>();
                 vec![
                     pair("1 out of reach, sweep", 3.0, [false, true].map(|met| {
@@ -172,6 +176,9 @@ macro_rules! four_bar {
         }
     };
 }
+
+// Behind the macros that it uses.
+pub(crate) mod rubbing;
 
 macro_rules! machines {
     ($($name:ident)*) => {

@@ -13,7 +13,6 @@
 mod draw;
 mod machines;
 mod race;
-mod rubbing;
 
 use race::median;
 
@@ -28,7 +27,7 @@ fn main() {
     let rounds = argument.and_then(|rounds| rounds.parse().ok()).unwrap_or(ROUNDS);
     let mut machines = machines::all();
     // Friction is measured on one machine, not on those that are drawn.
-    machines[0].1.extend(rubbing::pairs());
+    machines[0].1.extend(machines::rubbing::pairs());
     let lines = machines[0].1.len();
     println!("                             aim  named  drawn  worst  ns a pose, named");
     for line in 0..lines {

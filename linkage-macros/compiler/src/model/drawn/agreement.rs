@@ -215,9 +215,7 @@ impl Measured<'_> {
         self.resolver.diagnostics.error_because(span, message, reason);
         None
     }
-}
 
-impl Measured<'_> {
     /// Reports a drive or a length that no input brings to where it is drawn; `None` where there is one.
     fn can_be_as_drawn(
         &mut self,

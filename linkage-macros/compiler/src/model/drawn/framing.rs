@@ -70,16 +70,8 @@ fn report_line(reader: &mut Reader<'_, '_, '_>, guide: usize) {
         reader.report(point, message, format!("or towards a point: `towards {point}`"));
         return;
     }
-    let written = written_line(reader, guide);
-    let from = written.and_then(|(spot, _)| match spot {
-        GuideAnchor::Point(point) => Some(point),
-        _ => None,
-    });
-    let towards = written.and_then(|(_, course)| match course {
-        Course::Towards(point) => Some(point),
-        _ => None,
-    });
-    if from.into_iter().chain(towards).any(|point| reader.pin(point).is_none()) {
+    let named = written_line(reader, guide).map(|(spot, course)| points_of(spot, course));
+    if named.into_iter().flatten().flatten().any(|point| reader.pin(point).is_none()) {
         return;
     }
     let name = reader.guides[guide].name.clone();
@@ -197,6 +189,19 @@ fn written_line<'t>(
     })
 }
 
+/// The points that a guide runs through and towards, where it names them.
+fn points_of<'t>(spot: &'t GuideAnchor, course: &'t Course) -> [Option<&'t Ident>; 2] {
+    let from = match spot {
+        GuideAnchor::Point(point) => Some(point),
+        _ => None,
+    };
+    let towards = match course {
+        Course::Towards(point) => Some(point),
+        _ => None,
+    };
+    [from, towards]
+}
+
 fn line_of(
     reader: &mut Reader<'_, '_, '_>,
     guide: usize,
@@ -214,14 +219,7 @@ fn line_of(
         }
         GuideAnchor::Mistake => return None,
     };
-    let from = match spot {
-        GuideAnchor::Point(point) => pin_named(reader, point),
-        _ => None,
-    };
-    let towards = match course {
-        Course::Towards(point) => pin_named(reader, point),
-        _ => None,
-    };
+    let [from, towards] = points_of(spot, course).map(|point| pin_named(reader, point?));
     let frame = match course {
         Course::Along(_) => frame?,
         // Not needed.

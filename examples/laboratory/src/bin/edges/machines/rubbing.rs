@@ -1,27 +1,19 @@
 //! The named four-bar with masses, and with three frictions that follow from its reactions.
 
-use std::f64::consts::TAU;
-
 use linkage_core::{Record, mechanism};
 
-use crate::machines::{OK, POSES};
+use super::{OK, turn};
 use crate::race::{Pair, calls, swept};
 
 macro_rules! heavy {
     ($solver:ident { $($statement:tt)* }) => {
-        mechanism! {
-            struct $solver {
-                input theta: angle;
-                ground A(0, 0), D(0.3048, 0.0);
-                crank AB(A) -> B        { length: 0.1016, angle: theta }
-                rrr   BC(B), DC(D) -> C { lengths: (0.254, 0.1778), mode: left }
-                mass 1kg on BC at (0.12, 0.02);
-                inertia 0.01(kg*m^2) on BC;
-                mass 0.5kg on DC at (0.09, 0);
-                gravity (0, -9.81(m/s^2));
-                $($statement)*
-            }
-        }
+        four_bar! { $solver, [0.1016 0.3048, (0.0), 0.254 0.1778, 0.15, (0.05)], {
+            mass 1kg on BC at (0.12, 0.02);
+            inertia 0.01(kg*m^2) on BC;
+            mass 0.5kg on DC at (0.09, 0);
+            gravity (0, -9.81(m/s^2));
+            $($statement)*
+        } }
     };
 }
 
@@ -43,17 +35,9 @@ macro_rules! forces {
     ($solver:ident) => {
         calls(turn(), |&angle| $solver::new().forces(angle, 2.0, 1.0))
     };
-    ($solver:ident, $record:ident) => {{
-        let angles = turn();
-        swept(POSES, move |out, status| {
-            let out: $record<&mut [f64]> = Record::from_array(out);
-            $solver::new().sweep_forces(&angles, 2.0, 1.0, out, status, ()).expect(OK);
-        })
-    }};
-}
-
-fn turn() -> Vec<f64> {
-    (0..POSES).map(|k| k as f64 * TAU / POSES as f64).collect()
+    ($solver:ident, $record:ident) => {
+        sweep_of!($solver, $record, sweep_forces, turn(), 2.0, 1.0)
+    };
 }
 
 /// The lines that are measured on this machine alone.
