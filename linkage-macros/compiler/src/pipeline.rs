@@ -158,9 +158,17 @@ fn read(
 ) -> (Option<Declaration>, Option<Result<Mechanism, Stub>>) {
     let declaration = syntax::parse(source, diagnostics);
     // No barrier between the two: the tree marks what could not be read, and the model says nothing of
-    // what may only be missing because of that. Afterwards every name is a typed id, every dimension is
-    // checked, and nothing that follows can fail.
-    let resolved = declaration.as_ref().map(|declaration| model::resolve(declaration, diagnostics));
+    // what may only be missing because of that. Afterwards every name is a typed id and every dimension is
+    // checked.
+    let resolved = declaration.as_ref().map(|declaration| {
+        let mechanism = model::resolve(declaration, diagnostics)?;
+        // The one rule that asks for equations; nothing that follows can fail.
+        if equations::load_does_work(&mechanism, passes::RULES) {
+            return Ok(mechanism);
+        }
+        model::load_does_no_work(declaration, &mechanism, diagnostics);
+        Err(Stub(Box::new(mechanism)))
+    });
     (declaration, resolved)
 }
 

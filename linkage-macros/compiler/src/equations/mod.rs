@@ -71,6 +71,15 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     }
 }
 
+/// False if the load that drives an input is known to do no work on it in any pose, so that its value follows
+/// from nothing.
+pub(crate) fn load_does_work(mechanism: &Mechanism, rules: &[Rule]) -> bool {
+    let builder = GraphBuilder::new(rules);
+    let inputs = InputMotion::free(mechanism, &builder);
+    mechanism.dynamics.driven().is_none()
+        || forces::does_work(&Kinematics::of(&builder, mechanism, inputs))
+}
+
 /// Answers, clearances and conditions requested of a mechanism's equations.
 struct Collected {
     /// Values requested by each possible entry point of the mechanism, in order.

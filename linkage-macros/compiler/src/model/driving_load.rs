@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
 
 use super::Resolver;
@@ -21,6 +22,27 @@ pub(super) fn named_by(tree: &Declaration) -> Option<String> {
         StatementKind::DriveBy { load, .. } => Some(load.to_string()),
         _ => None,
     })
+}
+
+/// Reports at its `drive … by` that the load of a mechanism does no work on the input.
+pub(crate) fn load_does_no_work(
+    tree: &Declaration,
+    mechanism: &Mechanism,
+    diagnostics: &mut Diagnostics,
+) {
+    let Some((input, load)) = mechanism.dynamics.driven() else { return };
+    let input = &mechanism.inputs[input.index()].name;
+    let at = tree.statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::DriveBy { load, .. } => Some(load.span()),
+        _ => None,
+    });
+    let message =
+        format!("`{load}` does no work as `{input}` moves, and cannot drive it", load = load.name);
+    let reason = format!(
+        "no force acts along what `{input}` moves, and no torque on what it turns; its value follows from the work that \
+         it does"
+    );
+    diagnostics.error_because(at.unwrap_or_else(|| load.name.span()), message, reason);
 }
 
 impl Dynamics {

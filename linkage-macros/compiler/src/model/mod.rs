@@ -95,6 +95,8 @@ pub(crate) fn resolve(
     }
 }
 
+pub(crate) use driving_load::load_does_no_work;
+
 /// The stub that the declaration would have if it had mistakes.
 #[cfg(test)]
 pub(crate) fn stub(tree: &Declaration) -> Mechanism {

@@ -20,19 +20,30 @@ use crate::equations::forces::walk::Walk;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Check;
-use crate::model::mechanism::{Mechanism, Operator, Scalar};
+use crate::model::mechanism::{InputId, Mechanism, Operator, Scalar};
 
 /// The same state under the load that drives; none where no load drives.
 pub(super) fn driven<'s>(kinematics: &Kinematics<'s>) -> Option<Kinematics<'s>> {
     let mechanism = kinematics.mechanism;
     let (input, _) = mechanism.dynamics.driven()?;
     let free = under(kinematics, kinematics.builder.zero());
-    let unit = at_unit_rate(&free, input.index());
-    let share = match kinematics.inputs.len() {
+    let work = provided(mechanism, work(&free, input));
+    Some(under(kinematics, power::effort(&free, input) / work))
+}
+
+/// False if the load that drives an input is known to do no work on it, wherever the mechanism stands.
+pub(in crate::equations) fn does_work(kinematics: &Kinematics<'_>) -> bool {
+    let driven = kinematics.mechanism.dynamics.driven();
+    driven.is_none_or(|(input, _)| !work(kinematics, input).is_zero())
+}
+
+/// The work of a unit of the load on the input, in a state under no load.
+fn work<'s>(free: &Kinematics<'s>, input: InputId) -> Sym<'s> {
+    let unit = at_unit_rate(free, input.index());
+    match free.inputs.len() {
         1 => power_of_pull(&unit, &unit),
-        _ => power_of_pull(&free, &unit),
-    };
-    Some(under(kinematics, power::effort(&free, input) / provided(mechanism, share)))
+        _ => power_of_pull(free, &unit),
+    }
 }
 
 /// The work of the load on the input, provided that it does some.

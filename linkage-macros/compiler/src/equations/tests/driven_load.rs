@@ -1,6 +1,6 @@
 //! Mechanisms of which a load drives an input, against the same under the load that was found: nothing is left for a drive.
 
-use crate::equations::derive;
+use crate::equations::{derive, load_does_work};
 use crate::ir::interpret::{Number, ProgramValues};
 use crate::oracle::{Digits, mechanism, values};
 use crate::passes;
@@ -118,4 +118,35 @@ fn nothing_is_left_for_a_drive_beside_friction() {
     let creep = &source("statics")[0];
     assert!(forwards.sub(creep).to_f64().abs() <= 1e-12 * creep.to_f64().abs());
     assert!(backwards.sub(forwards).to_f64().abs() > 1.0);
+}
+
+/// A load that stands still, or across what moves, is told from one that is at a dead point now and then.
+#[test]
+fn a_load_is_known_to_do_no_work_where_nothing_moves_along_it() {
+    let works = |statements: &str| {
+        let source = format!(
+            "struct M {{ input q: angle; input r: length; ground A(0, 0), E(3m, 0); load pull: force;
+             crank AB(A) -> B {{ length: 1m, angle: q }}
+             guide rail through (0.2m, 0) along 90deg; rrp BC(B), ram(rail) -> C {{ length: 3m, mode: ahead }}
+             guide level through E along 0deg; slider cart(level) -> D {{ slide: r }}
+             mass 1kg on C; mass 1kg on D; {statements} }}"
+        );
+        load_does_work(&mechanism(&source), passes::RULES)
+    };
+    for (statements, is_some) in [
+        ("force (pull, 0) on C; drive q by pull;", false),
+        ("force (2N, pull) on C; drive q by pull;", true),
+        ("force (pull, 0) in ram on C; drive q by pull;", true),
+        ("force (0, pull) in ram on C; drive q by pull;", false),
+        ("force (0, pull) on D; force (pull, 0) on C; drive r by pull;", false),
+        ("force (pull, 0) on D; drive r by pull;", true),
+        ("force (pull, pull) on D; drive q by pull;", false),
+        ("force (pull, pull) on D; torque pull * 1m on BC; drive q by pull;", true),
+        ("torque pull * 1m on cart; drive r by pull;", false),
+        ("force pull between C and D; drive r by pull;", true),
+        ("torque pull * 1m on ram; force pull - pull between C and D; drive q by pull;", false),
+        ("force (pull, 0) on C;", true),
+    ] {
+        assert_eq!(works(statements), is_some, "{statements}");
+    }
 }
