@@ -87,7 +87,7 @@ pub struct LengthMismatch {
 }
 
 /// An entry point, as a sweep calls it; `K` tells the entry points of a mechanism apart.
-pub trait Entry<K, T: Float, const IN: usize, const OUT: usize> {
+pub trait Entry<K, T: Float, const IN: usize, const OUT: usize>: Copy {
     /// Puts the numbers of the result without a branch, for lanes as for any number, and says where they
     /// may be used; where nowhere, there need not be any.
     fn solve<U: Scalar>(&self, given: [U; IN], put: impl FnOnce(&[U])) -> U::Mask;

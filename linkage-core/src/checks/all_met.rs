@@ -168,10 +168,11 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         _: Amounts<T, W, M>,
     ) -> [T; M] {
         let mut met = T::Mask::ALL;
-        for value in positive {
+        // By reference: an array's own iterator leaves a loop, and the loop over poses around it is none over vectors.
+        for &value in &positive {
             met = met & value.gt(T::lit(0.0, 0.0));
         }
-        for [less, more] in small {
+        for &[less, more] in &small {
             met = met & friction::rounding(more).gt(less);
         }
         self.0 = self.0.and_condition(met).behind_condition();

@@ -32,6 +32,9 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         if let Some(statuses) = self.statuses.get_mut(start..end) {
             statuses.fill(Status::Solved);
         }
+        // A copy that no output can be part of, for all that the compiler knows: loads of parameters move out of the
+        // loops over poses, which would not become loops over vectors with them.
+        let entry = *self.entry;
         let mut inputs = [Column::splat(T::lit(0.0, 0.0)); IN];
         let mut results = [Column::splat(T::lit(0.0, 0.0)); OUT];
         let mut pose = start;
@@ -43,9 +46,9 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
                 self.read_last(pose, &mut inputs);
             }
             let circles = inputs.first().map(Column::sines_and_cosines::<F>);
-            let mut mask = self.solve::<K, F>(&inputs, &circles, &mut results);
+            let mut mask = Self::solve::<K, F>(&entry, &inputs, &circles, &mut results);
             if mask.contains(&false) {
-                let mut refused = self.out_of_reach::<K, F>(&inputs, &circles);
+                let mut refused = Self::out_of_reach::<K, F>(&entry, &inputs, &circles);
                 if !self.is_agreed::<K>(pose, &refused) {
                     refused = [false; BLOCK];
                 }
@@ -69,7 +72,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
     /// indexed, so that no build can panic.
     #[inline(always)]
     fn solve<K, F: Fusion>(
-        &self,
+        entry: &E,
         inputs: &[Column<T>; IN],
         circles: &Circles<T>,
         results: &mut [Column<T>; OUT],
@@ -80,7 +83,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         let mut mask = [true; BLOCK];
         for pose in 0..APART {
             let numbers = numbers::<T, F, Usable, IN>(inputs, circles, pose);
-            let usable = self.entry.solve(numbers, |values| put(values, results, pose));
+            let usable = entry.solve(numbers, |values| put(values, results, pose));
             for (nth, usable) in usable.to_array().into_iter().enumerate() {
                 mask.get_mut(pose + nth * APART).into_iter().for_each(|ok| *ok = usable);
             }
@@ -92,7 +95,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
     /// that only results need are not computed.
     #[inline(always)]
     fn out_of_reach<K, F: Fusion>(
-        &self,
+        entry: &E,
         inputs: &[Column<T>; IN],
         circles: &Circles<T>,
     ) -> [bool; BLOCK]
@@ -102,7 +105,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
         let mut refused = [false; BLOCK];
         for pose in 0..APART {
             let numbers = numbers::<T, F, OutOfReach, IN>(inputs, circles, pose);
-            let verdict = self.entry.solve(numbers, |_| ());
+            let verdict = entry.solve(numbers, |_| ());
             for (nth, is_out) in verdict.out_of_reach().into_iter().enumerate() {
                 refused.get_mut(pose + nth * APART).into_iter().for_each(|to| *to = is_out);
             }

@@ -10,6 +10,7 @@ use super::{Entry, LengthMismatch, REPORT_EVERY, Series, Status, sweep};
 use crate::{Float, Scalar, SolveError};
 
 /// √(x·scale), and half of it.
+#[derive(Clone, Copy)]
 struct Root;
 
 const REFUSED: SolveError = SolveError::Singular { group: "root" };

@@ -22,7 +22,7 @@ struct Conditions {
 
 const BEYOND: SolveError = SolveError::OutOfReach { group: GROUP, by: 1.0 };
 
-impl<T: Float> Entry<OfPosition, T, 5, 1> for Conditions {
+impl<T: Float> Entry<OfPosition, T, 5, 1> for &Conditions {
     fn solve<U: Scalar>(&self, given: [U; 5], put: impl FnOnce(&[U])) -> U::Mask {
         let [first, reach, second, other, beside] = given;
         let (one, mut all) = (U::num(1.0), AllMet::new());
@@ -64,7 +64,7 @@ fn swept<T: Float>(
     });
     let (mut sum, mut status) = (vec![T::num(7.0); count], vec![Status::NotFinite; count]);
     let inputs = columns.each_ref().map(|column| Series::Each(&column[..]));
-    sweep::<OfPosition, _, _, 5, 1>(&entry, inputs, [&mut sum], &mut status, ()).unwrap();
+    sweep::<OfPosition, _, _, 5, 1>(&&entry, inputs, [&mut sum], &mut status, ()).unwrap();
     for (at, (status, sum)) in status.iter().zip(&sum).enumerate() {
         let is_solved = *status == Status::Solved;
         assert!(is_solved || poses.iter().any(|&(place, _)| place == at), "{status:?} at {at}");
