@@ -1,6 +1,5 @@
 //! Two frictions in one routine: where either leaves the fast path, the slow one computes both.
 
-use std::string::String;
 use std::vec::Vec;
 
 use super::amounts;
@@ -16,7 +15,7 @@ pub(super) fn routines() -> impl Iterator<Item = Case> {
         let slow = [&first, &second].map(|of| amounts::answer(of));
         let told = |amount: &f64| amount * (1.0 + 2.0_f64.powi(-20));
         let found = numbers(&slow[0]).map(|amounts| amounts.iter().map(told).collect::<Vec<_>>());
-        let [is_positive, small] = [(); 2].map(|()| random.bits() % 8 > 0);
+        let [is_positive, small] = [(); 2].map(|()| !random.bits().is_multiple_of(8));
         // Straight-line code finds no amounts of joints that jam.
         let positive = is_positive && found.is_some();
         let found = found.unwrap_or_else(|| [1.0, 2.0].into());
