@@ -72,7 +72,8 @@ impl Mechanism {
         let mut all = Vec::new();
         for step in &self.steps {
             match step {
-                Step::Ground { at, .. } => all.extend(at),
+                // No input moves the ground.
+                Step::Ground { .. } => {}
                 Step::Guide { through, course, .. } => {
                     if let Through::At(at) = through {
                         all.extend(at);

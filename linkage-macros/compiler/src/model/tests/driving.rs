@@ -37,15 +37,19 @@ fn the_drive_of_a_crank_is_put_in_by_the_load() {
     check(&[(CRANK, &driven, NONE)]);
     for other in [
         "crank EF(D) -> F { length: 1, angle: t }",
+        "crank EF(D) -> F { length: 1, angle: -t }",
         "crank EF(D) -> F { length: 1, angle: 2 * t + 1rad }",
         "let twice = 2 * t; crank EF(D) -> F { length: 1, angle: 1rad - sin(twice) * 1rad }",
         "point F at (1m * sin(t), 0);",
         "point F on AB at (0.1m, 0.1m * t);",
         "point F on AB at polar (0.1m, t);",
+        "point F on AB at distances (0.7m, 0.7m + 0.1m * sin(t)) left;",
+        "point F at (1m * ln(9 + t / 1rad), 0);",
         "guide rail through (1m * t, 0) along 0deg; slider ram(rail) -> F { slide: 1m }",
         "guide rail through (1m, 0) along t; slider ram(rail) -> F { slide: 1m }",
         "guide rail through (1m, 0) along 10deg; slider ram(rail) -> F { slide: 1m * t }",
         "guide rail through (1m, 0) along 10deg; slider ram(rail) -> F { slide: 1m, offset: 0.1m * t }",
+        "guide rail through (1m, 0) along 10deg; rpp block(B), yoke(rail) { slot: 90deg + t / 9, offsets: (0, 0) }",
         "rrr BF(B), DF(D) -> F { lengths: (1.5, 1.5 + 0.1 * cos(t)), mode: left }",
     ] {
         let moved =
@@ -71,6 +75,7 @@ fn forces_are_multiples_of_the_load_that_drives() {
     for (force, at) in [
         ("force (max(0, pull), 0) on B;", "pull"),
         ("force (0, pull * pull / 1N) on B;", "pull"),
+        ("force (-(pull * pull / 1N), 0) on B;", "pull"),
         ("force (1N * 1N / pull, 0) on B;", "pull"),
         ("let law = abs(pull); force (law, 0) on B;", "law"),
         (
@@ -107,6 +112,11 @@ fn one_load_drives_one_input() {
             "push: no load named `push`; a load with a similar name exists: `pull`",
         ),
         (CRANK, &with("drive AB by pull;"), "AB: `AB` is a link, not an input"),
+        (
+            CRANK,
+            &with("load push: force; force (push, 0) on B; drive AB by pull; drive t by push;"),
+            &format!("AB: `AB` is a link, not an input\n{TWICE}"),
+        ),
         (CRANK, &with("drive t by t;"), "t: `t` is an input, not a load"),
         (
             CRANK,
