@@ -188,8 +188,11 @@ fn both<T: Float, const W: usize, F: Fusion>(
         )* };
     }
     lane!(0 1 2 3 4 5 6 7);
-    for (first, second) in first.lanes.iter_mut().zip(&mut second.lanes).skip(8) {
-        (*first, *second) = f(*first);
+    // Where there is no more, not even a loop that ends at once: it would keep the lanes in memory.
+    if W > 8 {
+        for (first, second) in first.lanes.iter_mut().zip(&mut second.lanes).skip(8) {
+            (*first, *second) = f(*first);
+        }
     }
     (first, second)
 }

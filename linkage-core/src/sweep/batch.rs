@@ -45,7 +45,7 @@ impl<T: Float, E, const IN: usize, const OUT: usize> Batch<'_, E, T, IN, OUT> {
             } else {
                 self.read_last(pose, &mut inputs);
             }
-            let circles = inputs.first().map(Column::sines_and_cosines::<F>);
+            let circles = Circles::of_the_first::<F>(&inputs);
             let mut mask = Self::solve::<K, F>(&entry, &inputs, &circles, &mut results);
             if mask.contains(&false) {
                 let mut refused = Self::out_of_reach::<K, F>(&entry, &inputs, &circles);
@@ -249,9 +249,9 @@ fn numbers<T: Float, F: Fusion, A: Asked, const IN: usize>(
     for (number, column) in numbers.iter_mut().zip(inputs) {
         *number = Poses::new(column.at(pose));
     }
-    let angles = numbers.iter_mut().zip(inputs).zip(circles);
-    for ((number, angles), [sines, cosines]) in angles {
-        *number = Poses::on_circle([angles, sines, cosines].map(|column| column.at(pose)));
+    if let (Some(number), Some(angles)) = (numbers.first_mut(), inputs.first()) {
+        let columns = [angles, &circles.sines, &circles.cosines];
+        *number = Poses::on_circle(columns.map(|column| column.at(pose)));
     }
     numbers
 }

@@ -16,8 +16,27 @@ pub(super) const APART: usize = BLOCK / TOGETHER;
 #[repr(align(64))]
 pub(super) struct Column<T>(pub(super) [T; BLOCK]);
 
-/// Sines and cosines of the first input, if there is one.
-pub(super) type Circles<T> = Option<[Column<T>; 2]>;
+/// Sines and cosines of the first input; of nothing where there is none.
+///
+/// No option: where a loop over poses asked if there is one, it had two ways, and became none over vectors.
+pub(super) struct Circles<T> {
+    pub(super) sines: Column<T>,
+    pub(super) cosines: Column<T>,
+}
+
+impl<T: Float> Circles<T> {
+    /// Where no one reads them, they are not computed.
+    #[inline(always)]
+    pub(super) fn of_the_first<F: Fusion>(inputs: &[Column<T>]) -> Self {
+        let angles = inputs.first().copied().unwrap_or(Column::splat(T::lit(0.0, 0.0)));
+        let [mut sines, mut cosines] = [angles; 2];
+        for (sine, cosine) in sines.0.iter_mut().zip(&mut cosines.0) {
+            let (sin, cos) = Lanes::<T, 1, F>::splat(*sine).sin_cos_near();
+            ([*sine], [*cosine]) = (sin.to_array(), cos.to_array());
+        }
+        Self { sines, cosines }
+    }
+}
 
 impl<T: Float> Column<T> {
     pub(super) const fn splat(value: T) -> Self {
@@ -30,17 +49,6 @@ impl<T: Float> Column<T> {
         core::array::from_fn(|nth| {
             self.0.get(pose + nth * APART).copied().unwrap_or(T::lit(0.0, 0.0))
         })
-    }
-
-    /// Sines and cosines. Where no one reads them, they are not computed.
-    #[inline(always)]
-    pub(super) fn sines_and_cosines<F: Fusion>(&self) -> [Self; 2] {
-        let [mut sines, mut cosines] = [*self; 2];
-        for (sine, cosine) in sines.0.iter_mut().zip(&mut cosines.0) {
-            let (sin, cos) = Lanes::<T, 1, F>::splat(*sine).sin_cos_near();
-            ([*sine], [*cosine]) = (sin.to_array(), cos.to_array());
-        }
-        [sines, cosines]
     }
 }
 
