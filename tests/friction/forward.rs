@@ -97,6 +97,23 @@ fn a_drive_inside_the_band_moves_nothing() {
     }
 }
 
+/// The dry sign alone holds at rest, where a smooth one is none.
+#[test]
+fn a_dry_joint_holds_beside_a_smooth_one() {
+    let (machine, free) = (HalfSmooth::new(), HalfSmooth { pin: 0.0 });
+    for q in [0.4, 1.3, 2.2, -1.9] {
+        let second = |drive| machine.forward_dynamics(q, 0.0, drive).unwrap();
+        // The block's 4.9 N at the arms of the crank, 40 to 105 mm: 0.19 to 0.52 N m.
+        for drive in [0.0, 0.1, -0.1] {
+            assert_eq!(second(drive), 0.0, "{q} {drive}");
+        }
+        assert!(second(0.9) > 0.1 && second(-0.9) < -0.1, "{q}");
+        for drive in [0.9, -0.9] {
+            close(second(drive), free.forward_dynamics(q, 0.0, drive).unwrap());
+        }
+    }
+}
+
 /// Eight half turns from one turning point to the next, each an arc of a circle, and rest where the spring is held.
 #[test]
 fn an_oscillator_comes_to_rest() {

@@ -3,11 +3,13 @@
 //! All amounts depend on each other there. At the second rate that a drive brings about, the matrix with all
 //! friction has to give the drive back.
 
+use crate::equations::derive;
 use crate::equations::forces::{Walk, accelerations};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::GraphBuilder;
 use crate::equations::tests::forces::{evaluated, with_every_input_asked};
 use crate::equations::tests::friction::{Jamming, check_declared};
+use crate::interface::entries::Analysis;
 use crate::oracle::mechanism;
 use crate::passes;
 
@@ -76,4 +78,30 @@ fn drive(source: &str, motion: &[[f64; 3]]) -> f64 {
     let effort = Walk::of(&moving).input_efforts()[0].id;
     let (_, values) = evaluated(&mechanism, builder.graph(), motion);
     values[effort.index()].to_f64()
+}
+
+/// Up to eight amounts that depend on each other; with several inputs, of smooth signs alone.
+#[test]
+fn second_rates_are_offered_where_it_is_known_what_sticks() {
+    let is_offered = |inputs: &str, second: &str, count: usize, smooth: &str| {
+        let cranks = (1..count).map(|nth| {
+            format!(
+                "crank L{nth}(A) -> P{nth} {{ length: 1, angle: q }}
+                 friction 0.1 on L{nth} at A radius 0.01 {smooth};"
+            )
+        });
+        let source = format!(
+            "struct M {{ input {inputs}: angle; ground A(0, 0); crank AB(A) -> B {{ length: 1, angle: q }}
+             {second} mass 1 on B; {} friction 0.2 on AB at A radius 0.01 {smooth}; }}",
+            cranks.collect::<String>()
+        );
+        let answers = derive(&mechanism(&source), passes::RULES).answers;
+        let points = answers.iter().filter_map(|answer| answer.entry);
+        points.into_iter().any(|point| point.analysis == Analysis::ForwardDynamics)
+    };
+    assert!(is_offered("q", "", 8, "") && !is_offered("q", "", 9, ""));
+    let two = "crank BC(B) -> C { length: 1, angle: r } mass 1 on C;";
+    let smooth = "smooth 0.1(rad/s)";
+    assert!(!is_offered("q, r", two, 1, "") && is_offered("q, r", two, 1, smooth));
+    assert!(is_offered("q, r", two, 8, smooth) && !is_offered("q, r", two, 9, smooth));
 }
