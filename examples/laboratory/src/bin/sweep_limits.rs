@@ -27,6 +27,7 @@ const POSES: usize = 240;
 enum OfNothing {}
 
 /// So many divisions and square roots, and so many sines with their cosines and sums with a product.
+#[derive(Clone, Copy)]
 struct Arithmetic<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>;
 
 /// The number of sums of a pose that go on beside each other. For the two poses that a sweep computes
