@@ -27,8 +27,8 @@ pub(super) fn driven<'s>(kinematics: &Kinematics<'s>) -> Option<Kinematics<'s>> 
     let mechanism = kinematics.mechanism;
     let (input, _) = mechanism.dynamics.driven()?;
     let free = under(kinematics, kinematics.builder.zero());
-    let work = provided(mechanism, work(&free, input));
-    Some(under(kinematics, power::effort(&free, input) / work))
+    let work = work(&free, input);
+    Some(under(kinematics, power::effort(&free, input) / provided(mechanism, work)))
 }
 
 /// False if the load that drives an input is known to do no work on it, wherever the mechanism stands.
