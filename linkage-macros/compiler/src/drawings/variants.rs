@@ -232,9 +232,9 @@ fn whatever_incidences_are_drawn_the_compiler_answers_soon() {
         let start = Instant::now();
         understood += usize::from(resolved_text(&text).is_ok());
         longest = longest.max(start.elapsed().as_secs_f64());
-        // A machine of class III, in a compiler that is not optimised and beside other work; optimised, all 300
-        // take 0.04 s.
-        assert!(longest < 1.0, "{text}");
+        // Optimised, all 300 take 0.04 s. A cut that tried all of what it may choose from would take minutes, which no
+        // other work of the machine does.
+        assert!(longest < 20.0, "{text}");
     }
     println!("{understood} of 300 are machines, {longest} s at most");
 }
