@@ -2,6 +2,7 @@
 
 use linkage_core::SolveError;
 use linkage_tests::mechanisms::friction::*;
+use linkage_tests::mechanisms::told::HalfSmooth;
 use linkage_tests::random::Random;
 
 use crate::table::{CRANKS_FORWARD, FOUR_BARS_FORWARD};

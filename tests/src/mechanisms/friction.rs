@@ -301,20 +301,3 @@ mechanism! {
         friction mu at B radius 20mm smooth 0.1(rad/s);
     }
 }
-
-mechanism! {
-    /// A slider-crank whose pin on the ground has a smooth sign, and its block a dry one.
-    pub struct HalfSmooth {
-        input q: angle;
-        param pin = 0.1;
-        ground A(0, 0);
-        guide bed through A along 0deg;
-        crank AB(A) -> B { length: 0.1m, angle: q }
-        rrp BC(B), block(bed) -> C { length: 0.3m, mode: ahead }
-        gravity (0, -9.81(m/s^2));
-        mass 2kg on block at (0, 0) inertia 0.01(kg*m^2);
-        inertia 0.02(kg*m^2) on AB;
-        friction pin at A radius 20mm smooth 0.1(rad/s);
-        friction 0.25 on block;
-    }
-}

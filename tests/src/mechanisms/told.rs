@@ -1,4 +1,4 @@
-//! Mechanisms of which some inputs are told and the others follow.
+//! Mechanisms of which some inputs are told and the others follow, and one that rubs by signs of both kinds.
 
 use linkage_core::mechanism;
 
@@ -50,5 +50,22 @@ mechanism! {
         crank L(P) -> Q { length: 1m, angle: second, relative_to: K }
         mass 2kg on Q;
         output first.drive, second.drive;
+    }
+}
+
+mechanism! {
+    /// A slider-crank whose pin on the ground has a smooth sign, and its block a dry one.
+    pub struct HalfSmooth {
+        input q: angle;
+        param pin = 0.1;
+        ground A(0, 0);
+        guide bed through A along 0deg;
+        crank AB(A) -> B { length: 0.1m, angle: q }
+        rrp BC(B), block(bed) -> C { length: 0.3m, mode: ahead }
+        gravity (0, -9.81(m/s^2));
+        mass 2kg on block at (0, 0) inertia 0.01(kg*m^2);
+        inertia 0.02(kg*m^2) on AB;
+        friction pin at A radius 20mm smooth 0.1(rad/s);
+        friction 0.25 on block;
     }
 }
