@@ -74,10 +74,11 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
 /// False if the load that drives an input is known to do no work on it in any pose, so that its value follows
 /// from nothing.
 pub(crate) fn load_does_work(mechanism: &Mechanism, rules: &[Rule]) -> bool {
+    let Some((input, _)) = mechanism.dynamics.driven() else { return true };
     let builder = GraphBuilder::new(rules);
     let inputs = InputMotion::free(mechanism, &builder);
-    mechanism.dynamics.driven().is_none()
-        || forces::does_work(&Kinematics::of(&builder, mechanism, inputs))
+    let kinematics = Kinematics::of(&builder, mechanism, inputs);
+    !forces::work_of_the_load(&kinematics, input).is_zero()
 }
 
 /// Answers, clearances and conditions requested of a mechanism's equations.

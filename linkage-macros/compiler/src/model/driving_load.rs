@@ -17,9 +17,9 @@ use super::mechanism::{
 use super::names::{Entity, Kind};
 
 /// The load behind the first `by`.
-pub(super) fn named_by(tree: &Declaration) -> Option<String> {
+pub(super) fn named_by(tree: &Declaration) -> Option<&Ident> {
     tree.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::DriveBy { load, .. } => Some(load.to_string()),
+        StatementKind::DriveBy { load, .. } => Some(load),
         _ => None,
     })
 }
@@ -30,19 +30,14 @@ pub(crate) fn load_does_no_work(
     mechanism: &Mechanism,
     diagnostics: &mut Diagnostics,
 ) {
-    let Some((input, load)) = mechanism.dynamics.driven() else { return };
+    let Some(((input, _), load)) = mechanism.dynamics.driven().zip(named_by(tree)) else { return };
     let input = &mechanism.inputs[input.index()].name;
-    let at = tree.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::DriveBy { load, .. } => Some(load.span()),
-        _ => None,
-    });
-    let message =
-        format!("`{load}` does no work as `{input}` moves, and cannot drive it", load = load.name);
+    let message = format!("`{load}` does no work as `{input}` moves, and cannot drive it");
     let reason = format!(
         "no force acts along what `{input}` moves, and no torque on what it turns; its value follows from the work that \
          it does"
     );
-    diagnostics.error_because(at.unwrap_or_else(|| load.name.span()), message, reason);
+    diagnostics.error_because(load.span(), message, reason);
 }
 
 impl Dynamics {

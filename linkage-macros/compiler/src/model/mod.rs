@@ -67,9 +67,12 @@ mod tests;
 
 use std::collections::HashSet;
 
+use proc_macro2::Ident;
+
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
 
+pub(crate) use driving_load::load_does_no_work;
 use facts::Facts;
 use mechanism::{Mechanism, References};
 use names::{Names, TooEarly};
@@ -94,8 +97,6 @@ pub(crate) fn resolve(
         _ => Err(Stub(Box::new(resolver.stub(tree)))),
     }
 }
-
-pub(crate) use driving_load::load_does_no_work;
 
 /// The stub that the declaration would have if it had mistakes.
 #[cfg(test)]
@@ -212,7 +213,7 @@ impl<'d> Resolver<'d> {
             gravity_at: None,
             searched: None,
             follows: false,
-            driving: driving_load::named_by(tree),
+            driving: driving_load::named_by(tree).map(Ident::to_string),
             solved: tree.statements.iter().filter_map(solved).collect(),
             pins: HashSet::new(),
         }

@@ -69,7 +69,7 @@ pub(super) use dynamics::{equations, every_input_moves_mass};
 pub(super) use friction::is_offered as is_known_beside_friction;
 #[cfg(test)]
 pub(super) use friction::{amounts_of, slip};
-pub(super) use pull::does_work;
+pub(super) use pull::work as work_of_the_load;
 pub(super) use together::centre_of_mass;
 use walk::Rubs;
 pub(super) use walk::Walk;

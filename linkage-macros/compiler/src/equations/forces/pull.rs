@@ -31,18 +31,12 @@ pub(super) fn driven<'s>(kinematics: &Kinematics<'s>) -> Option<Kinematics<'s>> 
     Some(under(kinematics, power::effort(&free, input) / provided(mechanism, work)))
 }
 
-/// False if the load that drives an input is known to do no work on it, wherever the mechanism stands.
-pub(in crate::equations) fn does_work(kinematics: &Kinematics<'_>) -> bool {
-    let driven = kinematics.mechanism.dynamics.driven();
-    driven.is_none_or(|(input, _)| !work(kinematics, input).is_zero())
-}
-
-/// The work of a unit of the load on the input, in a state under no load.
-fn work<'s>(free: &Kinematics<'s>, input: InputId) -> Sym<'s> {
-    let unit = at_unit_rate(free, input.index());
-    match free.inputs.len() {
+/// The work of a unit of the load on the input, the same under every load.
+pub(in crate::equations) fn work<'s>(kinematics: &Kinematics<'s>, input: InputId) -> Sym<'s> {
+    let unit = at_unit_rate(kinematics, input.index());
+    match kinematics.inputs.len() {
         1 => power_of_pull(&unit, &unit),
-        _ => power_of_pull(free, &unit),
+        _ => power_of_pull(kinematics, &unit),
     }
 }
 
