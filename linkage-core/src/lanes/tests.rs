@@ -105,3 +105,15 @@ fn a_mask_speaks_for_every_lane() {
     assert_eq!(LaneMask::<3>::ALL.to_array(), [true; 3]);
     assert_eq!(<[f64; 3]>::from(Lanes::from([1.0, 2.0, 3.0]) - one), [0.0, 1.0, 2.0]);
 }
+
+/// Lanes behind the eighth have a loop of their own.
+#[test]
+fn eleven_lanes_have_their_sines() {
+    let angles: [f64; 11] = core::array::from_fn(|lane| 0.37 * lane as f64 - 1.9);
+    let (sines, cosines) = Lanes::<f64, 11, Native>::new(angles).sin_cos_near();
+    let found = sines.to_array().into_iter().zip(cosines.to_array());
+    for (angle, found) in angles.into_iter().zip(found) {
+        let (sines, cosines) = Lanes::<f64, 1, Native>::new([angle]).sin_cos_near();
+        assert_eq!(found, (sines.to_array()[0], cosines.to_array()[0]), "{angle}");
+    }
+}
