@@ -1,6 +1,12 @@
 //! Collects mistakes, and stops at the barriers between phases.
 
+#[cfg(test)]
+mod told;
+
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+
+#[cfg(test)]
+pub(crate) use told::told;
 
 /// A mistake in a declaration, and the tokens that made it.
 #[derive(Clone, Debug)]
@@ -41,13 +47,6 @@ impl Diagnostic {
     pub(crate) fn compile_error(&self) -> TokenStream {
         let at = [self.first, self.last].map(|span| TokenTree::Ident(Ident::new("_", span)));
         syn::Error::new_spanned(TokenStream::from_iter(at), self.text()).into_compile_error()
-    }
-
-    /// The source that the mistake is reported at, for tests.
-    #[cfg(test)]
-    pub(crate) fn source(&self) -> String {
-        let whole = self.first.join(self.last).and_then(|span| span.source_text());
-        whole.unwrap_or_default()
     }
 
     /// The message and its second line.

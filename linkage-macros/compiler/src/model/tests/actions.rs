@@ -62,7 +62,7 @@ fn dimensions_of_what_acts_are_checked() {
         (
             CRANK,
             "load f: force; torque f on AB;",
-            "f: a force where a torque belongs / multiply or divide by what is missing",
+            "f#2: a force where a torque belongs / multiply or divide by what is missing",
         ),
     ]);
 }
@@ -72,7 +72,7 @@ fn loads_stand_in_forces_and_nowhere_else() {
     const REASON: &str = "what the mechanism is made of and how it moves depends on no load";
     let refused = |at: &str| {
         format!(
-            "{at}: `{at}` is a load, and stands in forces, torques and outputs alone / {REASON}"
+            "{at}#2: `{at}` is a load, and stands in forces, torques and outputs alone / {REASON}"
         )
     };
     for statements in [
@@ -133,7 +133,7 @@ fn a_mass_is_the_machines_own() {
         (
             CRANK,
             "mass 1kg on B; gravity (0, -9.81); gravity (0, 0);",
-            "gravity: gravity is given twice; remove one",
+            "gravity#2: gravity is given twice; remove one",
         ),
         (
             CRANK,
@@ -205,14 +205,14 @@ fn a_force_acts_on_what_moves() {
         (
             CRANK,
             "point P on AB at (1m, 1m); force 3N between B and P;",
-            &format!("P: `B` and `P` are fixed to one body / {FIXED}"),
+            &format!("P#2: `B` and `P` are fixed to one body / {FIXED}"),
         ),
         (CRANK, "point P on AB at (1m, 0.5m * t); force 3N between B and P;", ""),
         (CRANK, "point P on AB at polar (1m, t); force 3N between P and B;", ""),
         (
             "input t: angle; param e = 0.1m; ground A(0, 0); crank AB(A) -> B { length: 1m + e, angle: t }",
             "point P on AB at (e, 1m); force 3N between B and P;",
-            &format!("P: `B` and `P` are fixed to one body / {FIXED}"),
+            &format!("P#2: `B` and `P` are fixed to one body / {FIXED}"),
         ),
         (
             "input t: angle; input s: length; ground A(0, 0); crank AB(A) -> B { length: s, angle: t }",
@@ -222,18 +222,18 @@ fn a_force_acts_on_what_moves() {
         (
             CRANK,
             "force 3N between B and B;",
-            "B: a force acts between two points / what acts inside a body moves nothing",
+            "B#2: a force acts between two points / what acts inside a body moves nothing",
         ),
         (
             CRANK,
             "torque 3(N*m) between AB and AB;",
-            "AB: a torque acts between two bodies / what acts inside a body moves nothing",
+            "AB#2: a torque acts between two bodies / what acts inside a body moves nothing",
         ),
         (CRANK, "force (1, 0) in D on B;", "D: `D` is a point, not a link or a guide"),
         (
             "input t: angle; input s: length; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: t }",
             "force (s * 1(N/m), 0) on B;",
-            "s: nothing uses the input `s`; use it or remove it / a driver takes it: `slider \
+            "before s: nothing uses the input `s`; use it or remove it / a driver takes it: `slider \
              ram(rail) { slide: s }`",
         ),
     ]);
@@ -259,7 +259,7 @@ fn outputs_about_forces_name_what_touches() {
             "output t.force;",
             "force: write `t.drive` / an input's effort is a torque or a force, as the input is",
         ),
-        ("output BC.B, BC.B;", "B: the output `BC.B` is given twice; remove one"),
+        ("output BC.B, BC.B;", "B#2: the output `BC.B` is given twice; remove one"),
     ];
     for (output, expected) in rows {
         check(&[(SIX_BAR, &format!("{MASS} {output}"), expected)]);
@@ -294,7 +294,7 @@ fn the_whole_mechanism_has_outputs_of_its_own() {
         (
             CRANK,
             "mass 1kg on B; output energy, shaking, energy, shaking;",
-            "energy: the output `energy` is given twice; remove one\nshaking: the output `shaking` \
+            "energy#2: the output `energy` is given twice; remove one\nshaking#2: the output `shaking` \
              is given twice; remove one",
         ),
     ]);
@@ -312,12 +312,12 @@ fn a_joint_called_like_an_effort_is_renamed() {
             "output AB.drive;",
             &format!("drive: rename the point `drive` / `AB.drive` {REASON}"),
         ),
-        (CRANK, "", &format!("drive: rename the point `drive` / `AB.drive` {REASON}")),
+        (CRANK, "", &format!("drive#1: rename the point `drive` / `AB.drive` {REASON}")),
         (CRANK, "output AB.angle, t.drive;", ""),
         (
             CRANK,
             "rpr block(B), bar(angle) {} output bar.angle;",
-            &format!("angle: rename the point `angle` / `bar.angle` {REASON}"),
+            &format!("angle#2: rename the point `angle` / `bar.angle` {REASON}"),
         ),
     ]);
 }

@@ -67,7 +67,7 @@ fn a_group_of_constants_can_be_assembled() {
         (
             CRANK,
             "rrr BC(A), DC(A) -> C { lengths: (8m, 2m), mode: left }",
-            "A: both links of `rrr` stand on `A` / between two links on one point the inner \
+            "A#2: both links of `rrr` stand on `A` / between two links on one point the inner \
              joint is undetermined",
         ),
         (
@@ -98,7 +98,7 @@ fn a_group_of_constants_can_be_assembled() {
         (
             GUIDE,
             "prp p(rail), q(rail) -> C { }",
-            "rail: both links of `prp` stand on `rail` / two links on one guide never cross",
+            "rail#2: both links of `prp` stand on `rail` / two links on one guide never cross",
         ),
         (
             GUIDE,

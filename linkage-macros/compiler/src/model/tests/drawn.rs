@@ -17,12 +17,12 @@ fn counts_that_do_not_fit_name_bodies_and_drives() {
         (
             BARS,
             "output AB;",
-            "DC: `AB`, `BC` and `DC` still move when every input is held: one drive too few / drive one of them, `drive DC.angle = …;`, or pin one of them to another link",
+            "before DC: `AB`, `BC` and `DC` still move when every input is held: one drive too few / drive one of them, `drive DC.angle = …;`, or pin one of them to another link",
         ),
         (
             BARS,
             "input u: angle; drive AB.angle = t; drive DC.angle = u;",
-            "u: `t` and `u` fight: `AB`, `BC`, `DC` and the ground have one freedom and 2 inputs / leave out `drive AB.angle` or `drive DC.angle`",
+            "u#2: `t` and `u` fight: `AB`, `BC`, `DC` and the ground have one freedom and 2 inputs / leave out `drive AB.angle` or `drive DC.angle`",
         ),
         (
             FOUR_BAR,
@@ -63,7 +63,7 @@ fn names_of_a_drawing_are_given_once_and_exist() {
         (
             FOUR_BAR,
             "link tail(C, C);",
-            "C: `C` is named twice; remove one / `tail` goes through it once",
+            "C#2: `C` is named twice; remove one / `tail` goes through it once",
         ),
         (
             FOUR_BAR,
@@ -100,7 +100,7 @@ fn drives_give_an_angle_or_a_slide() {
         (
             "input t: angle; ground A(0, 0); guide bed through A along 0deg; pin C(1m, 0); link ram(C) on bed; drive ram.angle = t;",
             "",
-            "angle: `ram` slides without turning; drive its slide / write `drive ram.slide = …`",
+            "angle#2: `ram` slides without turning; drive its slide / write `drive ram.slide = …`",
         ),
         (
             "input t: length; ground A(0, 0); guide bed through A along 0deg; pin C(1m, 0); link ram(C) on bed; drive ram.slide = t;",
@@ -194,7 +194,7 @@ fn drawings_next_to_a_limit_are_refused() {
             &rpr,
             "",
             &format!(
-                "rod: in the drawing `block` is at the foot of `rod`: `ahead` and `behind` come together there / {apart}"
+                "rod#1: in the drawing `block` is at the foot of `rod`: `ahead` and `behind` come together there / {apart}"
             ),
         ),
         (
@@ -289,7 +289,7 @@ fn slips_in_a_machine_with_a_slot_and_a_cylinder() {
         (
             "{ length: s }",
             "; drive lift.length = s;",
-            "length: a drive gives an angle or a slide / the length of a cylinder stands in its braces: `link lift(F, G) { length: … }`",
+            "length#2: a drive gives an angle or a slide / the length of a cylinder stands in its braces: `link lift(F, G) { length: … }`",
         ),
         (
             "{ length: s }",
@@ -313,17 +313,17 @@ fn slips_in_a_machine_with_a_slot_and_a_cylinder() {
         (
             "on slot;",
             "on tray;",
-            "tray: `tray` is a link; a link slides on a guide / declare the slot, `guide slot on tray through P towards Q;`, and write `on slot`",
+            "tray#3: `tray` is a link; a link slides on a guide / declare the slot, `guide slot on tray through P towards Q;`, and write `on slot`",
         ),
         (
             "towards T",
             "along T",
-            "T: `T` is a point; a guide runs along an angle / or towards a point: `towards T`",
+            "T#2: `T` is a point; a guide runs along an angle / or towards a point: `towards T`",
         ),
         (
             "strut(M, L)",
             "strut(ground, L)",
-            "ground: a link goes through points of the ground, not through `ground` / name a point: `ground M(…, …);`",
+            "ground#2: a link goes through points of the ground, not through `ground` / name a point: `ground M(…, …);`",
         ),
         (
             ", strut(M, L)",

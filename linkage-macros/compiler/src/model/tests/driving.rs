@@ -87,7 +87,7 @@ fn forces_are_multiples_of_the_load_that_drives() {
         ("force hypot(pull, 1N) between B and D;", "pull"),
     ] {
         let refused =
-            format!("{at}: a force is a multiple of `pull`, which drives an input / {REASON}");
+            format!("{at}#2: a force is a multiple of `pull`, which drives an input / {REASON}");
         check(&[(CRANK, &format!("{PULL} {force} drive t by pull;"), &refused)]);
         // A load that is given may stand anywhere.
         check(&[(CRANK, &format!("{PULL} {force}"), "")]);
@@ -96,15 +96,15 @@ fn forces_are_multiples_of_the_load_that_drives() {
 
 #[test]
 fn one_load_drives_one_input() {
-    const TWICE: &str = "t: one load drives one input; remove this statement / the values of several loads would \
+    const TWICE: &str = "one load drives one input; remove this statement / the values of several loads would \
                          follow from each other";
     let with = |statements: &str| format!("{PULL} force (pull, 0) on B; {statements}");
     check(&[
-        (CRANK, &with("drive t by pull; drive t by pull;"), TWICE),
+        (CRANK, &with("drive t by pull; drive t by pull;"), &format!("t#2: {TWICE}")),
         (
             CRANK,
             &with("load push: force; force (push, 0) on B; drive t by pull; drive t by push;"),
-            TWICE,
+            &format!("t#2: {TWICE}"),
         ),
         (
             CRANK,
@@ -115,13 +115,13 @@ fn one_load_drives_one_input() {
         (
             CRANK,
             &with("load push: force; force (push, 0) on B; drive AB by pull; drive t by push;"),
-            &format!("AB: `AB` is a link, not an input\n{TWICE}"),
+            &format!("AB: `AB` is a link, not an input\nt: {TWICE}"),
         ),
-        (CRANK, &with("drive t by t;"), "t: `t` is an input, not a load"),
+        (CRANK, &with("drive t by t;"), "t#2: `t` is an input, not a load"),
         (
             CRANK,
             "mass 1kg on B; drive t by pull; load pull: force; force (pull, 0) on B;",
-            "pull: `pull` is used before `load pull` makes it / this order works: `load pull`, `drive t by pull`",
+            "pull#1: `pull` is used before `load pull` makes it / this order works: `load pull`, `drive t by pull`",
         ),
     ]);
 }
@@ -129,7 +129,7 @@ fn one_load_drives_one_input() {
 #[test]
 fn a_load_that_drives_has_to_act() {
     const UNUSED: &str =
-        "pull: nothing uses the load `pull`; use it or remove it / as in `force (0, -pull) on P`";
+        "pull#1: nothing uses the load `pull`; use it or remove it / as in `force (0, -pull) on P`";
     check(&[
         (CRANK, &format!("{PULL} drive t by pull;"), UNUSED),
         (CRANK, &format!("{PULL} drive t by pull; output pull;"), UNUSED),
@@ -141,7 +141,7 @@ fn a_load_that_drives_has_to_act() {
 fn an_input_that_is_driven_has_no_effort_of_its_own() {
     let driven = |output: &str| format!("{PULL} force (pull, 0) on B; drive t by pull; {output}");
     const REFUSED: &str =
-        "t: `t` is driven by `pull`; ask for `pull` / a drive of its own would put in nothing";
+        "t#2: `t` is driven by `pull`; ask for `pull` / a drive of its own would put in nothing";
     check(&[
         (CRANK, &driven("output t.drive;"), REFUSED),
         (CRANK, &driven("output power = t.drive * rate(t);"), REFUSED),
@@ -149,12 +149,12 @@ fn an_input_that_is_driven_has_no_effort_of_its_own() {
         (
             CRANK,
             &driven("output pull, pull;"),
-            "pull: the output `pull` is given twice; remove one",
+            "pull#5: the output `pull` is given twice; remove one",
         ),
         (
             CRANK,
             &format!("{PULL} force (pull, 0) on B; output pull;"),
-            "pull: `pull` is a load, and an output is a point or a link / it is given, at each call",
+            "pull#3: `pull` is a load, and an output is a point or a link / it is given, at each call",
         ),
     ]);
 }
@@ -169,7 +169,7 @@ fn joints_rub_beside_a_load_that_drives() {
         (
             SIX_BAR,
             &pulled("friction 0.1 + pull / 9N on block;"),
-            "pull: no coefficient depends on `pull`, which drives an input / `pull` follows from friction, and its \
+            "pull#4: no coefficient depends on `pull`, which drives an input / `pull` follows from friction, and its \
              equation is linear",
         ),
     ]);
@@ -188,7 +188,7 @@ fn joints_rub_beside_a_load_that_drives() {
         (
             CRANK,
             &rubbing(9),
-            "friction: a joint too many rubs beside `pull`, which drives an input / its value and the friction of \
+            "friction#9: a joint too many rubs beside `pull`, which drives an input / its value and the friction of \
              up to eight joints follow from each other",
         ),
     ]);

@@ -8,7 +8,7 @@ fn a_quantity_has_the_dimension_that_belongs_there() {
         (
             CRANK,
             "crank EF(D) -> F { length: t, angle: t }",
-            "t: an angle where a length belongs / an angle times a length is a length, as in \
+            "t#1: an angle where a length belongs / an angle times a length is a length, as in \
              `theta * 20mm`",
         ),
         (
@@ -37,7 +37,7 @@ fn a_quantity_has_the_dimension_that_belongs_there() {
         (
             CRANK,
             "crank EF(D) -> F { length: 1m + t, angle: t }",
-            "t: an angle where a length belongs / what stands left of the `+` is a length",
+            "t#1: an angle where a length belongs / what stands left of the `+` is a length",
         ),
         (
             CRANK,
@@ -72,7 +72,7 @@ fn the_sides_of_a_sum_are_of_one_kind() {
         (
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: asin(1m) }",
-            "1m: a length where a number belongs / a length divided by a length is a number, \
+            "1m#2: a length where a number belongs / a length divided by a length is a number, \
              and so an angle: `s / 20mm`",
         ),
         (
@@ -122,7 +122,7 @@ fn a_bare_angle_is_within_a_turn() {
         (
             CRANK,
             "let a = 45 * 2; crank EF(D) -> F { length: 1m, angle: a }",
-            "a: an angle of 90 without a unit; write `90deg` / a bare number is SI; if radians \
+            "a#2: an angle of 90 without a unit; write `90deg` / a bare number is SI; if radians \
              are meant, write `90rad`",
         ),
         (
@@ -185,7 +185,7 @@ fn a_function_is_known_and_has_its_arguments() {
         (
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: pow(t, 1m) }",
-            "1m: a length where a number belongs / a length divided by a length is a number, and so an \
+            "1m#2: a length where a number belongs / a length divided by a length is a number, and so an \
              angle: `s / 20mm`",
         ),
         (
@@ -229,7 +229,7 @@ fn constants_have_a_value() {
         (
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: atan2(0, 0) }",
-            "0: `atan2(0, 0)` has no value / the zero vector has no direction",
+            "0#1: `atan2(0, 0)` has no value / the zero vector has no direction",
         ),
         (
             CRANK,

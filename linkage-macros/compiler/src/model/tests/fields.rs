@@ -25,7 +25,7 @@ fn a_field_is_one_that_the_group_has() {
         (
             CRANK,
             "crank EF(D) -> F { angle: t, length: 1m, angle: 3 }",
-            "angle: the field `angle` is given twice; remove one",
+            "angle#2: the field `angle` is given twice; remove one",
         ),
         (
             CRANK,
@@ -36,7 +36,7 @@ fn a_field_is_one_that_the_group_has() {
         (
             GUIDE,
             "prp p(rail), q(rail) -> X { offset: 3mm }",
-            "rail: both links of `prp` stand on `rail` / two links on one guide never cross\n\
+            "rail#2: both links of `prp` stand on `rail` / two links on one guide never cross\n\
              offset: `prp` has no field `offset`; a field with a similar name exists: `offsets`",
         ),
     ]);
@@ -149,13 +149,13 @@ fn a_mode_is_one_of_the_group() {
             CRANK,
             "param elbow: mode = ahead; rrr BC(B), DC(D) -> C { lengths: (3m, 3m), mode: elbow \
              }",
-            "elbow: `elbow` is `ahead` or `behind`, no mode of `rrr` / `left` or `right`: the \
+            "elbow#2: `elbow` is `ahead` or `behind`, no mode of `rrr` / `left` or `right`: the \
              side of `C` seen from `B` looking to `D`",
         ),
         (
             CRANK,
             "param elbow = 2; rrr BC(B), DC(D) -> C { lengths: (3m, 3m), mode: elbow }",
-            "elbow: `elbow` is a number, not a mode / write `param elbow: mode = left;`",
+            "elbow#2: `elbow` is a number, not a mode / write `param elbow: mode = left;`",
         ),
         (
             CRANK,
@@ -193,7 +193,7 @@ fn a_mode_parameter_holds_a_mode() {
         (
             CRANK,
             "param elbow: mode = left; let x = 2 * elbow;",
-            "elbow: `elbow` is a mode, not a number",
+            "elbow#2: `elbow` is a mode, not a number",
         ),
     ]);
 }

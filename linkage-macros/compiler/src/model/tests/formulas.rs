@@ -97,19 +97,20 @@ fn units_of_efforts_are_checked() {
 
 #[test]
 fn one_name_is_one_output() {
-    let twice = |name: &str| format!("{name}: the output `{name}` is given twice; remove one");
-    for (statements, name) in [
-        ("output w = B.x, w = t.drive;", "w"),
-        ("output w = t.drive, w = B.x;", "w"),
-        ("output w = t.drive, w = AB.drive;", "w"),
-        ("let law = 1(N*s) * rate(t); output law, law;", "law"),
+    let twice =
+        |at: &str, name: &str| format!("{at}: the output `{name}` is given twice; remove one");
+    for (statements, at, name) in [
+        ("output w = B.x, w = t.drive;", "w#2", "w"),
+        ("output w = t.drive, w = B.x;", "w#2", "w"),
+        ("output w = t.drive, w = AB.drive;", "w#2", "w"),
+        ("let law = 1(N*s) * rate(t); output law, law;", "law#3", "law"),
     ] {
-        check(&[(CRANK, &format!("mass 1kg on B; {statements}"), &twice(name))]);
+        check(&[(CRANK, &format!("mass 1kg on B; {statements}"), &twice(at, name))]);
     }
     check(&[(
         CRANK,
         "mass 1kg on B; let law = 1(N*s) * rate(t); output law = t.drive;",
-        "law: the name `law` is taken; choose another / `law` is a `let`",
+        "law#2: the name `law` is taken; choose another / `law` is a `let`",
     )]);
 }
 
@@ -161,7 +162,7 @@ fn an_unknown_allows_what_power_tells() {
 fn friction_is_that_of_a_joint() {
     const RUBBING: &str = "mass 1kg on E; friction 0.12 on block; friction 0.1 on BC at C radius 8mm; \
                            friction 0.1 on block at E radius 8mm;";
-    let refused = |at: &str| format!("friction: {at} / friction is that of a joint");
+    let refused = |at: &str| format!("friction#4: {at} / friction is that of a joint");
     for (output, at) in [
         ("output CE.friction;", "write `CE.E.friction`"),
         ("output w = 2 * CE.friction;", "write `CE.E.friction`"),
@@ -173,7 +174,7 @@ fn friction_is_that_of_a_joint() {
     check(&[(
         SIX_BAR,
         &format!("{RUBBING} output AB.friction;"),
-        "friction: nothing rubs at a joint of `AB` / as in `friction 0.1 on AB` of what slides, `friction \
+        "friction#4: nothing rubs at a joint of `AB` / as in `friction 0.1 on AB` of what slides, `friction \
          0.1 on AB at C radius 8mm` of a pin",
     )]);
 }

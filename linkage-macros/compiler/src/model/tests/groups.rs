@@ -20,7 +20,7 @@ fn a_joint_stands_on_what_its_letter_says() {
         (
             GUIDE,
             "rrp BC(rail), block(rail) -> C { length: 3m, mode: ahead }",
-            "rail: `rail` is a guide, and the first letter of `rrp` is R: it needs a point / a \
+            "rail#1: `rail` is a guide, and the first letter of `rrp` is R: it needs a point / a \
              group with a guide there is `prp`",
         ),
         (
@@ -50,7 +50,7 @@ fn a_joint_stands_on_what_its_letter_says() {
         (
             GUIDE,
             "rpp p(rail), q(rail) { slot: 90deg }",
-            "rail: `rail` is a guide, and the first letter of `rpp` is R: it needs a point",
+            "rail#1: `rail` is a guide, and the first letter of `rpp` is R: it needs a point",
         ),
         (
             GUIDE,

@@ -22,7 +22,9 @@ fn no_dimension_reads_a_law() {
     const FORM: &str =
         "what the mechanism is made of and how it moves depends on no load and no rate";
     let refused = |what: &str| {
-        format!("law: `law` reads {what}, and stands in forces, torques and outputs alone / {FORM}")
+        format!(
+            "law#2: `law` reads {what}, and stands in forces, torques and outputs alone / {FORM}"
+        )
     };
     for statements in [
         "let law = rate(t) * 1(m*s); point P on AB at (law, 0);",
@@ -48,7 +50,7 @@ fn a_corner_is_refused_where_it_is_used() {
     check(&[(
         CRANK,
         "let w = abs(t); crank AC(A) { angle: w }",
-        "w: `w` has a corner by `abs`, and stands in forces, torques and outputs alone / a dimension \
+        "w#2: `w` has a corner by `abs`, and stands in forces, torques and outputs alone / a dimension \
          is smooth: write `hypot(x, e)` with a small `e` for `abs(x)`",
     )]);
 }
@@ -59,13 +61,13 @@ fn a_law_has_no_rate() {
         (
             CRANK,
             "let v = rate(t); torque 1(N*m*s*s) * rate(2 * v) on AB;",
-            "v: a rate of a rate is an acceleration, on which no force may depend / what resists \
+            "v#2: a rate of a rate is an acceleration, on which no force may depend / what resists \
              acceleration is a mass, `mass 2kg on P`, or an inertia",
         ),
         (
             CRANK,
             "load f: torque; let half = f / 2; torque f + 1s * rate(half) on AB;",
-            "half: a load has no rate / it is a number that each call is given",
+            "half#2: a load has no rate / it is a number that each call is given",
         ),
     ]);
 }
@@ -73,7 +75,7 @@ fn a_law_has_no_rate() {
 #[test]
 fn a_load_is_used_by_a_law_that_is_used() {
     const UNUSED: &str =
-        "f: nothing uses the load `f`; use it or remove it / as in `torque f on BC`";
+        "f#1: nothing uses the load `f`; use it or remove it / as in `torque f on BC`";
     check(&[
         (CRANK, "load f: torque; let half = f / 2; torque half on AB;", ""),
         (CRANK, "load f: torque; let half = f / 2; torque 1(N*m) on AB;", UNUSED),
@@ -85,7 +87,7 @@ fn a_law_stands_behind_what_it_reads() {
     check(&[(
         SIX_BAR,
         "let law = -5(N*m*s) * rate(later); let later = t / 2; torque law on AB;",
-        "later: `later` is used before `let later` makes it / this order works: `let later`, `let law`",
+        "later#1: `later` is used before `let later` makes it / this order works: `let later`, `let law`",
     )]);
 }
 
@@ -99,7 +101,7 @@ fn a_drawing_has_laws() {
         (
             DRAWN,
             "let law = 1(kg*s) * rate(q); mass law on C;",
-            "law: `law` reads a rate, and stands in forces, torques and outputs alone / what the mechanism is \
+            "law#2: `law` reads a rate, and stands in forces, torques and outputs alone / what the mechanism is \
              made of and how it moves depends on no load and no rate",
         ),
     ]);
@@ -114,7 +116,7 @@ fn a_law_that_is_made_too_late_is_refused_as_a_law() {
         "what the mechanism is made of and how it moves depends on no load and no rate";
     let refused = |what: &str| {
         format!(
-            "brake: `brake` reads {what}, and stands in forces, torques and outputs alone / {FORM}"
+            "brake#1: `brake` reads {what}, and stands in forces, torques and outputs alone / {FORM}"
         )
     };
     for (statements, what) in [
@@ -138,7 +140,7 @@ fn a_law_that_is_made_too_late_is_refused_as_a_law() {
     }
     // Forces and other laws only have to wait.
     let late =
-        "brake: `brake` is used before `let brake` makes it / this order works: `let brake`, ";
+        "brake#1: `brake` is used before `let brake` makes it / this order works: `let brake`, ";
     for (statements, last) in [
         ("torque brake on AB; let brake = -5(N*m*s) * rate(t);", "``"),
         (
@@ -161,7 +163,7 @@ fn a_sum_reads_all_that_its_parts_read() {
              torque f * 1(N*m) on AB;"
         );
         let refused = format!(
-            "both: `both` reads {what}, and stands in forces, torques and outputs alone / {FORM}"
+            "both#2: `both` reads {what}, and stands in forces, torques and outputs alone / {FORM}"
         );
         check(&[(CRANK, &statements, &refused)]);
     }

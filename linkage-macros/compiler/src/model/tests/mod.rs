@@ -26,7 +26,7 @@ mod unknowns;
 
 use super::mechanism::Mechanism;
 use super::resolve;
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Diagnostics, told};
 use crate::syntax::parse;
 
 // Statements that a row may build on.
@@ -43,26 +43,33 @@ const SIX_BAR: &str = "input t: angle; ground A(0, 0), D(4m, 0); \
                        rrr BC(B), DC(D) -> C { lengths: (3m, 3m), mode: left } \
                        rrp CE(C), block(rail) -> E { length: 5m, mode: ahead }";
 
-/// The mechanism with these statements, and its mistakes as "token: message / reason".
+/// The mechanism with these statements, and its mistakes as `told` writes them.
 fn resolved(statements: &str) -> (Option<Mechanism>, String) {
+    resolved_on(statements, NOTHING)
+}
+
+/// The same where statements build on others. The row is the statements, or the others where there
+/// are none.
+fn resolved_on(base: &str, statements: &str) -> (Option<Mechanism>, String) {
     let mut diagnostics = Diagnostics::new();
-    let source = format!("pub struct M {{ {statements} }}");
+    let source = format!("pub struct M {{ {base} {statements} }}");
+    let end = source.len() - " }".len();
     let tokens = source.parse().expect("the source is made of Rust's tokens");
     let tree = parse(tokens, &mut diagnostics).expect("the declaration has a name");
     assert_eq!(diagnostics.count(), 0, "the parser has nothing against `{statements}`");
     let mechanism = resolve(&tree, &mut diagnostics).ok();
-    let mistakes = diagnostics
-        .into_mistakes()
-        .into_iter()
-        .map(|mistake| format!("{}: {}", mistake.source(), mistake.text().replace('\n', " / ")));
-    (mechanism, mistakes.collect::<Vec<_>>().join("\n"))
+    let row = match statements {
+        NOTHING => source.len() - base.len() - "  }".len()..end,
+        _ => end - statements.len()..end,
+    };
+    (mechanism, told(&diagnostics.into_mistakes(), &source, row))
 }
 
 /// Compares the mistakes of each row: what its statements build on, the statements, and the
 /// mistakes, none where the row is legal.
 fn check(rows: &[(&str, &str, &str)]) {
     for (base, statements, expected) in rows {
-        let (mechanism, found) = resolved(&format!("{base} {statements}"));
+        let (mechanism, found) = resolved_on(base, statements);
         assert!(found == *expected, "{statements}\nexpected:\n{expected}\nfound:\n{found}");
         assert_eq!(mechanism.is_some(), expected.is_empty(), "{statements}");
     }

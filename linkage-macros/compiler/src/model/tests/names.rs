@@ -13,8 +13,8 @@ fn a_name_is_declared_once() {
         (
             CRANK,
             "ground A(1m, 1m), A(2m, 2m);",
-            "A: the name `A` is taken; choose another / the first `A` is made by `ground A`\n\
-             A: the name `A` is taken; choose another / the first `A` is made by `ground A`",
+            "A#1: the name `A` is taken; choose another / the first `A` is made by `ground A`\n\
+             A#2: the name `A` is taken; choose another / the first `A` is made by `ground A`",
         ),
         (
             CRANK,
@@ -31,19 +31,19 @@ fn a_name_is_declared_once() {
         (
             CRANK,
             "rrr BC(B), BC(D) -> C { lengths: (3m, 3m), mode: left }",
-            "BC: the name `BC` is taken; choose another / the first `BC` is made by `rrr BC, \
+            "BC#2: the name `BC` is taken; choose another / the first `BC` is made by `rrr BC, \
              BC`",
         ),
         (
             CRANK,
             "param AB = 3; crank X(A) -> Y { length: AB, angle: t }",
-            "AB: the name `AB` is taken; choose another / the first `AB` is made by `crank AB`",
+            "AB#1: the name `AB` is taken; choose another / the first `AB` is made by `crank AB`",
         ),
         (
             CRANK,
             "rrr BC(B), DC(D) -> A { lengths: (2m, 2m), mode: left } point P on BC at distances \
              (1.5m, 1.5m) left; guide g on BC through A towards B;",
-            "A: the name `A` is taken; choose another / the first `A` is made by `ground A`",
+            "A#1: the name `A` is taken; choose another / the first `A` is made by `ground A`",
         ),
     ]);
 }
@@ -104,33 +104,33 @@ fn what_is_used_was_made_earlier() {
         (
             CRANK,
             "rrr BC(C), DC(D) -> C { lengths: (3m, 3m), mode: left }",
-            "C: `C` is used inside the statement that makes it / a statement can use what \
+            "C#1: `C` is used inside the statement that makes it / a statement can use what \
              earlier ones have made",
         ),
         (
             CRANK,
             "rrr BC(P), DC(D) -> C { lengths: (3m, 3m), mode: left } point P on AB at (1m, 0);",
-            "P: `P` is used before `point P` makes it / this order works: `point P`, `rrr BC, DC`",
+            "P#1: `P` is used before `point P` makes it / this order works: `point P`, `rrr BC, DC`",
         ),
         (
             CRANK,
             "crank EF(D) -> F { length: far, angle: t } param far = 2m;",
-            "far: `far` is used before `param far` makes it / this order works: `param far`, \
+            "far#1: `far` is used before `param far` makes it / this order works: `param far`, \
              `crank EF`",
         ),
         (
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: EF.angle }",
-            "EF: `EF` is used inside the statement that makes it / a statement can use what \
+            "EF#2: `EF` is used inside the statement that makes it / a statement can use what \
              earlier ones have made",
         ),
         (
             SIX_BAR,
             "crank X(A) -> Y { length: half, angle: t } let half = t * 1m / 2; crank Z(A) { \
              angle: half }",
-            "half: a length where an angle belongs / a length divided by a length is a number, \
+            "half#3: a length where an angle belongs / a length divided by a length is a number, \
              and so an angle: `s / 20mm`\n\
-             half: `half` is used before `let half` makes it / this order works: `let half`, \
+             half#1: `half` is used before `let half` makes it / this order works: `let half`, \
              `crank X`",
         ),
     ]);
@@ -158,15 +158,15 @@ fn a_name_is_of_a_kind_that_belongs_there() {
             CRANK,
             "let x = B; let y = rail; guide rail through A along 0deg; let z = rail;",
             "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`\n\
-             rail: `rail` is a guide, not a number\n\
-             rail: `rail` is a guide, not a number",
+             rail#1: `rail` is a guide, not a number\n\
+             rail#3: `rail` is a guide, not a number",
         ),
         (
             GUIDE,
             "crank relative(A) { angle: t, relative_to: rail } crank other(A) { angle: 1rad, \
              relative_to: other }",
             "rail: `rail` is a guide, not a link\n\
-             other: `other` is used inside the statement that makes it / a statement can use \
+             other#2: `other` is used inside the statement that makes it / a statement can use \
              what earlier ones have made",
         ),
     ]);
@@ -178,7 +178,7 @@ fn a_mechanism_has_inputs_and_uses_them() {
         (
             NOTHING,
             "ground A(0, 0);",
-            "M: `M` has no input; declare what drives it / an angle, `input theta: angle;`, or \
+            "before M: `M` has no input; declare what drives it / an angle, `input theta: angle;`, or \
              a length, `input s: length;`",
         ),
         (
@@ -190,7 +190,7 @@ fn a_mechanism_has_inputs_and_uses_them() {
         (
             INPUT,
             "let half = t / 2; ground A(0, 0);",
-            "t: nothing uses the input `t`; use it or remove it / a driver takes it: `crank \
+            "before t: nothing uses the input `t`; use it or remove it / a driver takes it: `crank \
              AB(A) { angle: t }`",
         ),
         (
@@ -208,7 +208,7 @@ fn a_mechanism_has_inputs_and_uses_them() {
             NOTHING,
             "ground A(0, 0); crank AB(A) -> B { length: 1m }",
             "}: missing field `angle` / the angle from the x axis of what it is relative to\n\
-             M: `M` has no input; declare what drives it / an angle, `input theta: angle;`, or \
+             before M: `M` has no input; declare what drives it / an angle, `input theta: angle;`, or \
              a length, `input s: length;`",
         ),
         (
@@ -216,7 +216,7 @@ fn a_mechanism_has_inputs_and_uses_them() {
             "input t: angle; input s: length; ground A(0, 0); crank AB(A) -> B { length: 1m, \
              angle: t } rrr BC(B), DC(Dd) -> C { lengths: (2m, 3m) }",
             "Dd: no point named `Dd` / declared so far: `A`, `B`\n\
-             }: missing field `mode` / `left` or `right`: the side of `C` seen from `B` looking \
+             }#2: missing field `mode` / `left` or `right`: the side of `C` seen from `B` looking \
              to `Dd`\n\
              s: nothing uses the input `s`; use it or remove it / a driver takes it: `slider \
              ram(rail) { slide: s }`",
@@ -243,12 +243,12 @@ fn reactions_of_a_group_in_error_are_not_reported() {
         (
             GUIDE,
             &format!("{group} {ASKED} ram.bed, BC.C;"),
-            "bed: no guide named `bed` / declared so far: `rail`",
+            "bed#1: no guide named `bed` / declared so far: `rail`",
         ),
         (
             CRANK,
             &format!("{group} {ASKED} ram.bed;"),
-            "bed: no guide named `bed` / declare it in front of this: `guide bed through A along 0deg;`",
+            "bed#1: no guide named `bed` / declare it in front of this: `guide bed through A along 0deg;`",
         ),
         // A mistake of its own is still one.
         (
@@ -311,7 +311,7 @@ fn settings_are_known_and_given_once() {
         (
             CRANK,
             "numerics compensated; numerics compensated;",
-            "compensated: `numerics` is given twice; remove one",
+            "compensated#2: `numerics` is given twice; remove one",
         ),
         (
             CRANK,
@@ -326,7 +326,7 @@ fn settings_are_known_and_given_once() {
         ),
         (CRANK, "crate = a; crate = b;", "b: `crate` is given twice; remove one"),
         (CRANK, "export cpp;", "cpp: no export named `cpp`; write `export c;`"),
-        (CRANK, "export c; export c;", "c: `export c` is given twice; remove one"),
+        (CRANK, "export c; export c;", "c#2: `export c` is given twice; remove one"),
     ]);
 }
 
@@ -338,14 +338,14 @@ fn an_order_that_works_is_told_or_the_circle() {
             CRANK,
             "rrr EC(E), DC(D) -> C { lengths: (3m, 3m), mode: left } point E on BE at (1m, 0); \
              rrr BE(B), FE(F) -> G { lengths: (3m, 3m), mode: left } ground F(1m, 1m);",
-            "E: `E` is used before `point E` makes it / this order works: `ground F`, \
+            "E#1: `E` is used before `point E` makes it / this order works: `ground F`, \
              `rrr BE, FE`, `point E`, `rrr EC, DC`",
         ),
         (
             CRANK,
             "rrr BC(B), CF(F) -> C { lengths: (3m, 3m), mode: left } \
              rrr DF(D), EF(C) -> F { lengths: (3m, 2m), mode: left } output C, F;",
-            "F: `rrr BC, CF` and `rrr DF, EF` need each other: a group of class III or higher / \
+            "F#1: `rrr BC, CF` and `rrr DF, EF` need each other: a group of class III or higher / \
              only drivers and dyads are solved in closed form; drive the chain at another link, so \
              that each dyad stands on what is known",
         ),
@@ -364,7 +364,7 @@ fn a_group_of_class_three_is_told_what_to_write() {
             "rrr leg1(A1), s12(C2) -> C1 { lengths: (1.6m, reach), mode: left } \
              rrr leg2(A2), s23(C3) -> C2 { lengths: (0.9m, 0.7m), mode: left } \
              rrr leg3(A3), s31(C1) -> C3 { lengths: (0.8m, 0.6m), mode: left }",
-            "C2: `rrr leg1, s12`, `rrr leg2, s23` and `rrr leg3, s31` need each other: a group of \
+            "C2#1: `rrr leg1, s12`, `rrr leg2, s23` and `rrr leg3, s31` need each other: a group of \
              class III or higher / write `unknown phi: angle between (…, …);`, `crank leg1(A1) -> C1 \
              { length: 1.6m, angle: phi }` for `rrr leg1, s12`, and last `solve phi { distance(C1, \
              C2) = reach, mode: rising }`",
@@ -386,7 +386,7 @@ fn a_group_of_class_three_is_told_what_to_write() {
              rrr leg2(A2), s23(C3) -> C2 { lengths: (0.9m, 0.7m), mode: left } \
              rrr leg3(A3), s31(C1) -> C3 { lengths: (0.8m, 0.6m), mode: left } \
              point p on s12 at (1m, 0); point q on s23 at (1m, 0); point r on s31 at (1m, 0);",
-            "C2: `rrr leg1, s12`, `rrr leg2, s23` and `rrr leg3, s31` need each other: a group of \
+            "C2#1: `rrr leg1, s12`, `rrr leg2, s23` and `rrr leg3, s31` need each other: a group of \
              class III or higher / only drivers and dyads are solved in closed form; drive the chain \
              at another link, so that each dyad stands on what is known",
         ),

@@ -30,7 +30,7 @@ fn a_distance_is_between_two_points() {
         (
             CRANK,
             "output d = distance(B, B);",
-            "B: the distance of a point from itself is zero; name two points",
+            "B#2: the distance of a point from itself is zero; name two points",
         ),
         (
             CRANK,
@@ -48,7 +48,7 @@ fn a_distance_is_between_two_points() {
         (
             CRANK,
             "crank EF(D) -> F { length: distance(A, F), angle: t }",
-            "F: `F` is used inside the statement that makes it / a statement can use what earlier \
+            "F#2: `F` is used inside the statement that makes it / a statement can use what earlier \
              ones have made",
         ),
     ]);
@@ -107,7 +107,7 @@ fn a_name_taken_for_a_unit_is_told() {
             SLIDE,
             "slider ram(rail) { slide: 2s }",
             "2s: a time where a length belongs / letters directly behind a number are its unit; \
-             write `2 * s`\ns: nothing uses the input `s`; use it or remove it / a driver takes \
+             write `2 * s`\nbefore s: nothing uses the input `s`; use it or remove it / a driver takes \
              it: `slider ram(rail) { slide: s }`",
         ),
         (
@@ -151,14 +151,14 @@ fn lengths_without_any_unit_are_of_a_machine() {
         (
             BARE,
             "rrr BC(B), DC(D) -> C { lengths: (632, 374), mode: left }",
-            "665.7: a length of 665.7 m; write `665.7mm`, or `665.7m` if it is meant / no length \
+            "before 665.7: a length of 665.7 m; write `665.7mm`, or `665.7m` if it is meant / no length \
              of this declaration has a unit, and a bare number is in metres",
         ),
         (BARE, "rrr BC(B), DC(D) -> C { lengths: (632m, 374), mode: left }", ""),
         (
             "input t: angle; param l = -250; ground A(l, 0);",
             "crank AB(A) -> B { length: 99, angle: t }",
-            "-250: a length of 250 m; write `250mm`, or `250m` if it is meant / no length of this \
+            "before -250: a length of 250 m; write `250mm`, or `250m` if it is meant / no length of this \
              declaration has a unit, and a bare number is in metres",
         ),
         ("input t: angle; ground A(0, 0);", "crank AB(A) -> B { length: 99, angle: t }", ""),

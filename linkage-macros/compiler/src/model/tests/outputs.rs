@@ -5,9 +5,9 @@ use super::*;
 #[test]
 fn an_output_is_given_once() {
     check(&[
-        (CRANK, "output B, B;", "B: the output `B` is given twice; remove one"),
+        (CRANK, "output B, B;", "B#2: the output `B` is given twice; remove one"),
         (CRANK, "output AB, AB.angle;", "angle: the output `AB` is given twice; remove one"),
-        (CRANK, "output AB.angle, AB;", "AB: the output `AB` is given twice; remove one"),
+        (CRANK, "output AB.angle, AB;", "AB#2: the output `AB` is given twice; remove one"),
         (
             CRANK,
             "output B.angle;",
@@ -17,13 +17,13 @@ fn an_output_is_given_once() {
         (
             SIX_BAR,
             "output block.slide, block, block.slide;",
-            "block: the output `block` is given twice; remove one\n\
-             slide: the output `block` is given twice; remove one",
+            "block#2: the output `block` is given twice; remove one\n\
+             slide#2: the output `block` is given twice; remove one",
         ),
         (
             SIX_BAR,
             "output block.slide, block.slide;",
-            "slide: the output `block` is given twice; remove one",
+            "slide#2: the output `block` is given twice; remove one",
         ),
     ]);
 }
@@ -129,7 +129,7 @@ fn a_link_gives_what_it_has() {
             "slide: `AB` does not slide / no link of `crank AB` slides on a guide",
         ),
         (GUIDE, "output B.x, B, B.y, A.x;", ""),
-        (GUIDE, "output B.x, B.x;", "x: the output `B_x` is given twice; remove one"),
+        (GUIDE, "output B.x, B.x;", "x#2: the output `B_x` is given twice; remove one"),
         (
             GUIDE,
             "output B.speed;",
@@ -180,7 +180,7 @@ fn a_link_gives_what_it_has() {
         (
             GUIDE,
             "prp p(rail), q(rail) -> C { } output p.margin;",
-            "rail: both links of `prp` stand on `rail` / two links on one guide never cross\n\
+            "rail#2: both links of `prp` stand on `rail` / two links on one guide never cross\n\
              margin: `prp` has no `margin` / it is never out of reach; `transmission` tells how \
              far from parallel",
         ),
@@ -188,7 +188,7 @@ fn a_link_gives_what_it_has() {
             SIX_BAR,
             "guide slot on CE through C towards E; rpr pin(B), fork(E) { offset: 1mm } output \
              slot, pin.margin, fork.slide;",
-            "slot: `slot` is a guide, and an output is a point or a link / the link that \
+            "slot#2: `slot` is a guide, and an output is a point or a link / the link that \
              carries it has a direction\n\
              slide: `fork` does not slide / of `rpr pin, fork`, `pin` slides",
         ),
@@ -202,7 +202,7 @@ fn an_expression_has_a_name_of_its_own() {
         (
             CRANK,
             "output twice = 2 * t, twice = 3 * t;",
-            "twice: the output `twice` is given twice; remove one",
+            "twice#2: the output `twice` is given twice; remove one",
         ),
         (
             CRANK,

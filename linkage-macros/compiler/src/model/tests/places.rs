@@ -14,7 +14,7 @@ fn a_ground_point_is_fixed() {
         (
             INPUT,
             "let x = 2 * t * 1m; ground A(x, 0);",
-            "x: a ground point is fixed; it cannot depend on an input / a point that is driven \
+            "x#2: a ground point is fixed; it cannot depend on an input / a point that is driven \
              is declared `point A at (x, y);`",
         ),
         (

@@ -90,7 +90,7 @@ fn a_spring_is_the_machines_own() {
             CRANK,
             "load f: force; force (f, 0) on B; spring between B and D { stiffness: f / 1m, \
              free_length: 0 }",
-            "f: `f` is a load, and stands in forces, torques and outputs alone / what the mechanism \
+            "f#3: `f` is a load, and stands in forces, torques and outputs alone / what the mechanism \
              is made of and how it moves depends on no load",
         ),
         (
@@ -144,7 +144,7 @@ fn a_spring_has_what_it_needs() {
         (
             CRANK,
             "spring between B and D { stiffness: 2, stiffness: 3, free_length: 0 }",
-            "stiffness: the field `stiffness` is given twice; remove one",
+            "stiffness#2: the field `stiffness` is given twice; remove one",
         ),
     ]);
 }
@@ -158,11 +158,11 @@ fn a_spring_stands_between_two_bodies() {
                          of one, as in `at (0.2m + s, 0)`";
     check(&[
         (CRANK, &ends("A and D"), &format!("D: `A` and `D` are fixed to one body / {FIXED}")),
-        (CRANK, &ends("B and B"), &format!("B: a spring is between two points / {INSIDE}")),
+        (CRANK, &ends("B and B"), &format!("B#2: a spring is between two points / {INSIDE}")),
         (
             CRANK,
             "spring between AB and AB { stiffness: 2 }",
-            &format!("AB: a spring between links is between two bodies / {INSIDE}"),
+            &format!("AB#2: a spring between links is between two bodies / {INSIDE}"),
         ),
         (
             CRANK,
@@ -179,7 +179,7 @@ fn a_spring_stands_between_two_bodies() {
         (
             CRANK,
             "spring s between B and D { damping: 2 } output s;",
-            "s: `s` is a spring, and an output is a point or a link / between points it has \
+            "s#2: `s` is a spring, and an output is a point or a link / between points it has \
              `s.force` and `s.length`, between links `s.torque` and `s.angle`",
         ),
         (
@@ -245,7 +245,7 @@ fn rates_stand_in_forces_and_nowhere_else() {
         (
             CRANK,
             &torque("1s * rate(f)"),
-            "f: a load has no rate / it is a number that each call is given",
+            "f#2: a load has no rate / it is a number that each call is given",
         ),
         (
             CRANK,
@@ -256,7 +256,7 @@ fn rates_stand_in_forces_and_nowhere_else() {
         (
             CRANK,
             &torque("2(N*m) * rate(t)"),
-            "f: a torque where a quantity in m^2 kg s^-3 belongs / what stands left of the `+` is a \
+            "f#2: a torque where a quantity in m^2 kg s^-3 belongs / what stands left of the `+` is a \
              quantity in m^2 kg s^-3",
         ),
     ]);

@@ -20,14 +20,14 @@ fn an_unknown_is_solved_once() {
         (
             SEARCH,
             "",
-            "theta: `theta` is never solved; end its search with `solve theta { … }` / an equation \
+            "theta#1: `theta` is never solved; end its search with `solve theta { … }` / an equation \
              fixes it, as in `solve theta { ram.slide = x, mode: falling }`",
         ),
         (SEARCH, "solve theta { ram.slide = x, mode: falling }", ""),
         (
             SEARCH,
             "crank G(B) { angle: 2 * x / 1m }",
-            "theta: `theta` is never solved; end its search with `solve theta { … }` / an equation \
+            "before theta#1: `theta` is never solved; end its search with `solve theta { … }` / an equation \
              fixes it, as in `solve theta { ram.slide = x, mode: falling }`",
         ),
         (
@@ -41,13 +41,13 @@ fn an_unknown_is_solved_once() {
             "input x: length; ground A(0, 0);",
             "crank AB(A) -> B { length: 80mm, angle: theta } \
              solve theta { B.y = x, mode: rising }",
-            "theta: no unknown named `theta` / declare it in front of what it drives: `unknown theta: \
+            "theta#2: no unknown named `theta` / declare it in front of what it drives: `unknown theta: \
              angle between (…, …);`",
         ),
         (
             SEARCH,
             "unknown theta: angle between (0, 1); solve theta { ram.slide = x, mode: falling }",
-            "theta: the name `theta` is taken; choose another / the first `theta` is made by `unknown \
+            "theta#1: the name `theta` is taken; choose another / the first `theta` is made by `unknown \
              theta`",
         ),
         (
@@ -66,7 +66,7 @@ fn an_unknown_is_solved_once() {
             "unknown s: length between (0, 1m); slider other(rail) -> S { slide: s, offset: 5mm } \
              solve theta { ram.slide = x, mode: falling } \
              solve s { distance(S, B) = 1m, mode: falling }",
-            "s: solve `theta` before this: one unknown is searched at a time / move `unknown s` \
+            "s#1: solve `theta` before this: one unknown is searched at a time / move `unknown s` \
              behind `solve theta { … }`",
         ),
         (
@@ -109,7 +109,7 @@ fn ends_are_known_in_order_and_within_a_turn() {
         ),
         (
             "(x / 1m, 170deg)",
-            "x: the ends of `theta` depend on no input; write constants or parameters / the machine \
+            "x#1: the ends of `theta` depend on no input; write constants or parameters / the machine \
              has to be assembled from end to end, whatever the inputs are",
         ),
         (
@@ -170,14 +170,14 @@ fn an_equation_moves_and_has_sides_of_one_kind() {
             "ram.slide = 20deg",
             format!(
                 "20deg: an angle where a length belongs / what stands left of the `=` is a length\n\
-                 x: {UNUSED}"
+                 before x: {UNUSED}"
             ),
         ),
         (
             "distance(A, C) = -1m",
             format!(
                 "-1m: the distance is -1 m; make it greater than zero\n\
-                 x: {UNUSED}"
+                 before x: {UNUSED}"
             ),
         ),
         ("BC.angle - 20deg = theta + x / 1m", String::new()),
@@ -200,7 +200,7 @@ fn a_solve_says_its_mode_and_begins_where_nothing_depends_on_it() {
             "solve theta { mode: rising }",
             "}: missing equation of `theta` / it comes first, as in `solve theta { ram.slide = x, \
              mode: falling }`\n\
-             x: nothing uses the input `x`; use it or remove it / a driver takes it: `slider \
+             before x: nothing uses the input `x`; use it or remove it / a driver takes it: `slider \
              ram(rail) { slide: x }`",
         ),
         (

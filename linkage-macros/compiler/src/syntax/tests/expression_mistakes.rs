@@ -47,7 +47,7 @@ fn products_and_powers() {
         ),
         (
             "let x = a ** 2;",
-            "*: expected `;`, found `**` / a power is a product or a call: `x * x`, `pow(x, 2)`",
+            "*#1: expected `;`, found `**` / a power is a product or a call: `x * x`, `pow(x, 2)`",
         ),
         ("let x = a % 2;", "%: expected `;`, found `%` / the operators are `+`, `-`, `*` and `/`"),
         (
@@ -65,10 +65,10 @@ fn components_of_reactions() {
     const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; `friction \
                             0.1 at C radius 8mm` does, and `friction 0.1 on ram` of what slides";
     let of_a_pin = format!(
-        ".: write `D.x` for the point; only an output reads the reaction `DC.D` / {FRICTION}"
+        ".#2: write `D.x` for the point; only an output reads the reaction `DC.D` / {FRICTION}"
     );
-    let of_a_guide = format!(".: only an output reads the reaction `ram.bed` / {FRICTION}");
-    let twice = format!("{of_a_guide}\n{of_a_guide}");
+    let of_a_guide = format!(".#2: only an output reads the reaction `ram.bed` / {FRICTION}");
+    let twice = format!("{of_a_guide}\n{}", of_a_guide.replace(".#2", ".#4"));
     let rows: &[(&str, &str)] = &[
         ("torque -mu * r * hypot(DC.D.x, DC.D.y) on AB;", &of_a_pin),
         ("force (-mu * ram.bed.normal, mu * ram.bed.normal) on C;", &of_a_guide),
@@ -182,7 +182,7 @@ fn what_is_no_expression() {
         ("let x = at;", "at: expected a number or a name, found `at` / `at` is a reserved word"),
         ("let x = ();", "): expected a number or a name, found `)`"),
         ("let x = a.5;", "5: expected the name of a member, such as `angle`, found `5`"),
-        ("let x = (1;2);", ";: expected `)`, found `;`"),
+        ("let x = (1;2);", ";#1: expected `)`, found `;`"),
     ];
     check_statements(ROWS);
 }
@@ -190,12 +190,12 @@ fn what_is_no_expression() {
 #[test]
 fn headers() {
     const ROWS: &[(&str, &str)] = &[
-        ("", ": declare a mechanism: `pub struct Name { … }`"),
+        ("", "the call: declare a mechanism: `pub struct Name { … }`"),
         (
             "pub",
-            ": expected `struct`, found the end / declare a mechanism: `pub struct Name { … }`",
+            "the call: expected `struct`, found the end / declare a mechanism: `pub struct Name { … }`",
         ),
-        ("pub struct", ": expected the name of the mechanism, found the end"),
+        ("pub struct", "the call: expected the name of the mechanism, found the end"),
         ("pub struct M;", ";: expected the statements of the mechanism in `{ }`, found `;`"),
         ("enum M {}", "enum: write `struct` instead of `enum`"),
         ("pub M { let x }", "M: write `struct` in front of `M`\n}: expected `=`, found `}`"),
@@ -218,7 +218,7 @@ fn headers() {
         ("pub(foo) struct M {}", "pub: write `pub`, `pub(crate)` or no visibility"),
         (
             "struct M {} struct N {}",
-            "struct: end the declaration here / a second mechanism has a `mechanism!` of its own",
+            "struct#2: end the declaration here / a second mechanism has a `mechanism!` of its own",
         ),
         ("M", "M: expected `struct`, found `M` / declare a mechanism: `pub struct Name { … }`"),
         ("struct 5 {}", "5: expected the name of the mechanism, found `5`"),

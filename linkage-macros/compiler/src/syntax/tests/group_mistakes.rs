@@ -21,7 +21,7 @@ fn legs_and_pins() {
         ),
         (
             "crank AB(0, 0) -> B {}",
-            "0: expected the name of a point or a guide, found `0` / points are declared by \
+            "0#1: expected the name of a point or a guide, found `0` / points are declared by \
              `ground` or made by groups, guides by `guide`",
         ),
         ("crank AB(A) => B {}", "=: write `->` / it points to the pin that is made"),
@@ -47,12 +47,12 @@ fn braces_and_fields() {
         ),
         (
             "crank AB(A) -> B",
-            "}: expected `{`, found `}` / write the fields of `crank` in braces: `{ length: …, \
+            "after }: expected `{`, found `}` / write the fields of `crank` in braces: `{ length: …, \
              angle: … }`",
         ),
         (
             "crank AB(A) -> B (length: 80mm);",
-            "(: expected `{`, found `(` / write the fields in braces",
+            "(#2: expected `{`, found `(` / write the fields in braces",
         ),
         ("crank AB(A) { length }", "length: write `length: …`"),
         ("crank AB(A) { length = 80mm, angle: 3 }", "=: write `:` after `length`"),
@@ -69,15 +69,15 @@ fn braces_and_fields() {
         ),
         (
             "crank AB(A) { length: (1,2) * 3, x: (1,2,3), y: ( ,1), z: (), 5: 3 }",
-            "*: expected `,` or `}`, found `*`\n3: expected `)` after two values, found `3` / \
-             write `(first, second)`\n,: expected a number or a name, found `,`\n): expected a \
+            "*: expected `,` or `}`, found `*`\n3#2: expected `)` after two values, found `3` / \
+             write `(first, second)`\n,#6: expected a number or a name, found `,`\n)#5: expected a \
              number or a name, found `)`\n5: expected the name of a field, found `5`",
         ),
         (
             "crank AB(A) { /// doc\n length: 3 }",
             "/// doc: move the doc comment in front of its statement",
         ),
-        ("crank AB(A) { length: 5, , angle: 3 }", ",: expected the name of a field, found `,`"),
+        ("crank AB(A) { length: 5, , angle: 3 }", ",#2: expected the name of a field, found `,`"),
     ];
     check_statements(ROWS);
 }
@@ -100,24 +100,24 @@ fn outputs_and_settings() {
         ("output a, = 3;", "=: expected a number or a name, found `=`"),
         (
             "output A.x.y;",
-            ".: expected the end of a member, found `.` / a member is one name behind a \
+            ".#2: expected the end of a member, found `.` / a member is one name behind a \
              link: `BC.angle`",
         ),
         ("output beam.S.x;", ""),
         (
             "let brake = 3 * H.y.rate;",
-            ".: write `rate(H.y)` / in the values of forces and torques; of outputs, `velocity` gives \
+            ".#2: write `rate(H.y)` / in the values of forces and torques; of outputs, `velocity` gives \
              the rates",
         ),
         ("numerics;", ";: expected `compensated`, found `;`"),
         ("crate = \"x\";", "\"x\": write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate;", ";: write the path of `linkage-core`: `crate = ::linkage_core;`"),
-        ("crate = ::Self;", ":: write the path of `linkage-core`: `crate = ::linkage_core;`"),
+        ("crate = ::Self;", ":#1: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate = a<u8>;", "a: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate = a::self;", "a: write the path of `linkage-core`: `crate = ::linkage_core;`"),
-        ("crate = ::crate;", ":: write the path of `linkage-core`: `crate = ::linkage_core;`"),
+        ("crate = ::crate;", ":#1: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate = super::super::a;", ""),
-        ("crate::foo;", ":: write the path of `linkage-core`: `crate = ::linkage_core;`"),
+        ("crate::foo;", ":#1: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("export \"c\";", "\"c\": expected `c`, found `\"c\"`"),
     ];
     check_statements(ROWS);
@@ -177,7 +177,7 @@ fn words_that_begin_no_statement() {
             "#: leave out `#[allow]` / only doc comments are passed on to the generated code",
         ),
         ("//! x\n let x = 3;", "//! x: write `///` in front of what is documented"),
-        ("/// doc\n", "}: write a statement behind this doc comment, or drop it"),
+        ("/// doc\n", "after }: write a statement behind this doc comment, or drop it"),
     ];
     check_statements(ROWS);
 }
@@ -190,7 +190,7 @@ fn missing_semicolons() {
             "angle: write `;` after `angle`\n3: write `;` after `3`",
         ),
         ("input theta: angle\n crank AB(A) {}", "angle: write `;` after `angle`"),
-        ("let x = 3 /// d\n let y = 3;", "3: write `;` after `3`"),
+        ("let x = 3 /// d\n let y = 3;", "3#1: write `;` after `3`"),
         (
             "input theta: angle crank AB(A) { length: }",
             "angle: write `;` after `angle`\n}: expected the value of `length`, found `}`",

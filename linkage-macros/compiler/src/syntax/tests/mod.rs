@@ -10,31 +10,34 @@ mod statement_mistakes;
 mod trees;
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use super::parse;
 use super::tree::*;
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Diagnostics, told};
 
-/// The mistakes of a source text, one per line: "token: message / reason".
+/// The mistakes of a source text, as `told` writes them.
 fn mistakes(source: &str) -> String {
     parsed(source).1
 }
 
 /// The tree of a declaration with these statements, and its mistakes.
 fn body(statements: &str) -> (String, String) {
-    let (tree, mistakes) = parsed(&format!("pub struct M {{ {statements} }}"));
+    let (start, source) = ("pub struct M { ", format!("pub struct M {{ {statements} }}"));
+    let row = start.len()..start.len() + statements.len();
+    let (tree, mistakes) = parsed_row(&source, row);
     (tree.expect("the declaration has a name").replacen("pub M\n", "", 1), mistakes)
 }
 
 fn parsed(source: &str) -> (Option<String>, String) {
+    parsed_row(source, 0..source.len())
+}
+
+fn parsed_row(source: &str, row: Range<usize>) -> (Option<String>, String) {
     let mut diagnostics = Diagnostics::new();
     let tokens = source.parse().expect("the source is made of Rust's tokens");
     let tree = parse(tokens, &mut diagnostics).map(|declaration| text(&declaration));
-    let mistakes = diagnostics
-        .into_mistakes()
-        .into_iter()
-        .map(|mistake| format!("{}: {}", mistake.source(), mistake.text().replace('\n', " / ")));
-    (tree, mistakes.collect::<Vec<_>>().join("\n"))
+    (tree, told(&diagnostics.into_mistakes(), source, row))
 }
 
 /// Compares the mistakes of each source text; the rows are `(source, mistakes)`.

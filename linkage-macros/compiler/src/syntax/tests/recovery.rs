@@ -19,25 +19,25 @@ fn every_mistake_of_a_declaration_is_reported() {
     );
     assert_eq!(
         mistakes,
-        "angle: say what `theta` is: `input theta: angle;` or `input theta: length;` / its kind \
+        "angle#1: say what `theta` is: `input theta: angle;` or `input theta: length;` / its kind \
          tells radians from metres
-;: expected `)` after two values, found `;` / write `(x, y)`
-0: expected `,` and a second value, found `0` / write `(x, y)`
+;#2: expected `)` after two values, found `;` / write `(x, y)`
+0#3: expected `,` and a second value, found `0` / write `(x, y)`
 type: `type` is a Rust keyword; choose another name / names become fields and arguments of the \
          generated code
-): write `;` after `)`
-=: write `->` / it points to the pin that is made
+)#3: write `;` after `)`
+=#1: write `->` / it points to the pin that is made
 mm: drop the space: `80mm` / a unit stands directly behind its number
-theta: write `:` after `angle`
+theta#2: write `:` after `angle`
 triad: `triad` is reserved for a later statement
-): expected the name of a point or a guide, found `)` / points are declared by `ground` or made \
+)#7: expected the name of a point or a guide, found `)` / points are declared by `ground` or made \
          by groups, guides by `guide`
 0x10: write `0x10` in decimal / a number is decimal, with its unit directly behind it: `632mm`, \
          `1e-3m`
-(: expected `at`, found `(` / a place is `at (x, y)`, `at polar (r, angle)` or `at distances \
+(#9: expected `at`, found `(` / a place is `at (x, y)`, `at polar (r, angle)` or `at distances \
          (r1, r2) left`
-DC: write `,` in front of `DC`
-angle: write `DC.angle` without parentheses / expressions have functions and members, but no \
+DC#2: write `,` in front of `DC`
+angle#3: write `DC.angle` without parentheses / expressions have functions and members, but no \
          methods
 pi: expected `;`, found `pi` / a product is written with `*`"
     );

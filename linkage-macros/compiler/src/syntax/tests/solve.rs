@@ -45,7 +45,7 @@ fn unknowns_and_equations_that_do_not_parse() {
         ("solve theta;", &format!(";: expected `{{`, found `;` / {SOLVE}")),
         (
             "solve theta { ram.slide == x, mode: rising }",
-            "=: write `=`: it is an equation, not a comparison",
+            "=#1: write `=`: it is an equation, not a comparison",
         ),
         (
             "solve theta { ram.slide, mode: rising }",
@@ -58,7 +58,7 @@ fn unknowns_and_equations_that_do_not_parse() {
         ),
         (
             "solve theta { a = b, mode: rising, mode: falling }",
-            "mode: the field `mode` is given twice; remove one",
+            "mode#2: the field `mode` is given twice; remove one",
         ),
         (
             "solve theta { a = b, mode: rising, seed: c }",

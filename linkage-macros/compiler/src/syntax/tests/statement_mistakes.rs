@@ -203,7 +203,7 @@ fn points_on_links() {
         ("point P at (0,0) foo;", "foo: expected `;`, found `foo`"),
         (
             "point P on BC at (1, 2), Q on BC at (1,2);",
-            ",: expected `;`, found `,` / this statement declares one name",
+            ",#2: expected `;`, found `,` / this statement declares one name",
         ),
         ("numerics: fast;", ":: expected `compensated`, found `:`"),
         (
@@ -239,9 +239,9 @@ fn habits_from_elsewhere() {
         ),
         (
             "ground A(0, 0), crank AB(A) -> B { length: 1m, angle: t }",
-            ",: write `;` in place of this `,`",
+            ",#2: write `;` in place of this `,`",
         ),
-        ("output B, ground A(0, 0);", ",: write `;` in place of this `,`"),
+        ("output B, ground A(0, 0);", ",#1: write `;` in place of this `,`"),
         (
             "let mut x = 2m;",
             "mut: leave out `mut` / what is declared does not change; a `param` can be set at run \
@@ -255,7 +255,7 @@ fn habits_from_elsewhere() {
         ("let x = .08m;", ".: write `0.08m` / a digit stands in front of the decimal point"),
         (
             "let d = |B - D|;",
-            "|: expected a number or a name, found `|` / a distance is written `distance(P, Q)`",
+            "|#1: expected a number or a name, found `|` / a distance is written `distance(P, Q)`",
         ),
     ];
     check_statements(ROWS);

@@ -179,9 +179,8 @@ fn spans_reach_from_the_first_to_the_last_token() {
     let tree = super::parse(source.parse().expect("tokens"), &mut diagnostics).expect("a name");
     let StatementKind::Let { value, .. } = &tree.statements[0].kind else { panic!("no `let`") };
     diagnostics.error(value.span, "here");
-    let mistakes = diagnostics.into_mistakes();
-    let [only] = &mistakes[..] else { panic!("the source has no mistake: {mistakes:?}") };
-    assert_eq!(only.source(), "2 * (a + sqrt(b)) - BC.angle");
+    let told = crate::diagnostics::told(&diagnostics.into_mistakes(), source, 0..source.len());
+    assert_eq!(told, "2 * (a + sqrt(b)) - BC.angle: here");
 }
 
 #[test]
