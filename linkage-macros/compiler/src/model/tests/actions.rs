@@ -183,6 +183,12 @@ fn a_mass_has_a_place_that_moves() {
             "1(kg*m^2): leave this inertia out / a mass on a pin is a point; what turns is a link: \
              `mass … on BC at C`",
         ),
+        (
+            CRANK,
+            "crank wheel(B) { angle: 0 } mass 1kg on wheel uniform;",
+            "uniform: `wheel` is no bar with two joints, and cannot be `uniform` / give its centre: \
+             `… on wheel at (x, y) inertia …`",
+        ),
     ]);
 }
 

@@ -139,5 +139,18 @@ fn a_group_of_constants_can_be_assembled() {
             "rrr: `BC, SC` cannot be assembled; change its dimensions / |DS| = 2 m, lengths 1 m + \
              0.5 m reach 1.5 m",
         ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> C { lengths: (1m, 1.5m), mode: left }",
+            "rrr: `BC, DC` cannot be assembled at any angle of `AB`; change its dimensions / |BD| \
+             runs from 3 m to 5 m, and the bars reach from 0.5 m to 2.5 m",
+        ),
+        (
+            CRANK,
+            "guide far through (0, 4m) along 0deg; rrp BC(B), block(far) -> C { length: 2m, \
+             mode: ahead }",
+            "rrp: `BC, block` cannot be assembled at any angle of `AB`; change its dimensions / B \
+             runs from -5 m to -3 m off the line of the pin, and the bar reaches 2 m",
+        ),
     ]);
 }

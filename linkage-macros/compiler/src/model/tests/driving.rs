@@ -1,6 +1,6 @@
 //! `drive theta by pull;`: where the load may stand, and what is asked for in place of the drive.
 
-use super::{CRANK, SIX_BAR, check, resolved};
+use super::{CRANK, GUIDE, SIX_BAR, check, resolved};
 
 const PULL: &str = "load pull: force; mass 1kg on B;";
 
@@ -122,6 +122,11 @@ fn one_load_drives_one_input() {
             CRANK,
             "mass 1kg on B; drive t by pull; load pull: force; force (pull, 0) on B;",
             "pull#1: `pull` is used before `load pull` makes it / this order works: `load pull`, `drive t by pull`",
+        ),
+        (
+            GUIDE,
+            "load pull: force; mass 1kg on B; force (pull, 0) on B; drive t by rail;",
+            "rail: `rail` is a guide, not a load",
         ),
     ]);
 }

@@ -56,6 +56,12 @@ fn a_quantity_has_the_dimension_that_belongs_there() {
             "t: an angle where a length belongs / an angle times a length is a length, as in \
              `theta * 20mm`",
         ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: sin(2m) }",
+            "2m: a length where an angle belongs / a length divided by a length is a number, and so \
+             an angle: `s / 20mm`",
+        ),
     ]);
 }
 
@@ -213,6 +219,11 @@ fn a_function_is_known_and_has_its_arguments() {
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: hypot(t) }",
             "hypot: `hypot` takes two arguments, and one is given",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: ln(0) }",
+            "0: `ln(0)` has no value / a logarithm needs a number above zero",
         ),
     ]);
 }

@@ -39,6 +39,17 @@ fn a_field_is_one_that_the_group_has() {
             "rail#2: both links of `prp` stand on `rail` / two links on one guide never cross\n\
              offset: `prp` has no field `offset`; a field with a similar name exists: `offsets`",
         ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> C { lengths: (3m, 3m), mode: left, offset: 1m }",
+            "offset: `rrr` has no field `offset` / its fields are `lengths` and `mode`",
+        ),
+        (
+            GUIDE,
+            "rrp BC(B), block(rail) -> C { radius: 3m, mode: ahead }",
+            "radius: `rrp` has no field `radius` / what is missing is `length`: the distance from \
+             the outer joint to the pin",
+        ),
     ]);
 }
 
@@ -93,6 +104,16 @@ fn no_field_is_missing() {
              is the distance from the pivot to the pin",
         ),
         (CRANK, "crank EF(D) { angle: t }", ""),
+        (
+            GUIDE,
+            "slider ram(rail) -> P { offset: 1m }",
+            "}: missing field `slide` / the distance from the guide's point, along its direction",
+        ),
+        (
+            GUIDE,
+            "rpp block(B), yoke(rail) { }",
+            "}: missing field `slot` / the angle of the slot to the rail",
+        ),
     ]);
 }
 
@@ -168,6 +189,12 @@ fn a_mode_is_one_of_the_group() {
             GUIDE,
             "rpp block(B), yoke(rail) { slot: 90deg, mode: ahead }",
             "mode: `rpp` has no field `mode` / `rpp` can be assembled in one way only",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> C { lengths: (3m, 3m), mode: +1 }",
+            "1: a mode is one word / `left` or `right`: the side of `C` seen from `B` looking \
+             to `D`",
         ),
     ]);
 }

@@ -90,6 +90,14 @@ fn units_of_efforts_are_checked() {
             "AB.angle: `AB.angle` cannot stand here / a link's angle is known up to whole turns: it \
              stands in sums of angles, times an integer, because other ratios jump at ±π",
         ),
+        (
+            "output AB.A.friction;",
+            "friction: nothing rubs at `AB.A` / as in `friction 0.1 on AB at A radius 8mm;`",
+        ),
+        (
+            "output t.drive, losses;",
+            "losses: nothing rubs, so there are no losses / as in `friction 0.1 at C radius 8mm`",
+        ),
     ] {
         check(&[(CRANK, &format!("{LOADED} {output}"), mistake)]);
     }
@@ -122,6 +130,7 @@ fn forces_read_no_effort() {
         ("torque 2 * t.drive on AB;", "drive"),
         ("let f = 2 * AB.drive; torque f on AB;", "drive"),
         ("friction 0.1 + AB.drive / 1(N*m) at A radius 8mm;", "drive"),
+        ("torque 0.1 * 20mm * AB.A on AB;", "A"),
     ] {
         let refused = format!("{at}: only an output reads a reaction or an effort / {REASON}");
         check(&[(CRANK, &format!("mass 1kg on B; {statements}"), &refused)]);
@@ -195,6 +204,12 @@ fn a_drive_is_measured_as_its_input() {
             CRANK,
             "mass 1kg on B; output w = 5N + t.drive;",
             &refused("a torque", "a force", "t.drive"),
+        ),
+        (
+            SLIDER,
+            "output w = 2 * ram.rail;",
+            "rail: `ram.rail` is a normal force and a couple; write `ram.rail.normal` or \
+             `ram.rail.couple` / an expression is made of single numbers",
         ),
     ]);
 }

@@ -166,7 +166,19 @@ fn a_group_is_one_that_exists() {
             "gears: no driver or group `gears` / they are `crank`, `slider`, `rrr`, `rrp`, \
              `rpr`, `prp`, `rpp`",
         ),
+        (
+            CRANK,
+            "gear G(D) { ratio: -2 }",
+            "gear: no driver or group `gear` / a gear is a crank whose angle is a multiple of \
+             another's: `crank G(O) { angle: -2 * AB.angle }`",
+        ),
     ]);
+    const PAIRS: &str =
+        "bars come in pairs, as dyads: `rrr BC(B), DC(D) -> C { lengths: (…, …), mode: left }`";
+    for word in ["bar", "rocker"] {
+        let told = format!("{word}: no driver or group `{word}` / {PAIRS}");
+        check(&[(CRANK, &format!("{word} DC(D) -> C {{ length: 3m }}"), &told)]);
+    }
 }
 
 #[test]
@@ -178,6 +190,11 @@ fn a_crank_is_relative_to_a_body() {
             CRANK,
             "crank EF(D) -> F { length: 1m, angle: t, relative_to: 2 }",
             "2: `relative_to` takes `ground` or the name of a link",
+        ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: t, relative_to: B }",
+            "B: `B` is a point, not a link / it is the pin of `crank AB`: name the link",
         ),
     ]);
 }

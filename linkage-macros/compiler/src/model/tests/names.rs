@@ -137,42 +137,6 @@ fn what_is_used_was_made_earlier() {
 }
 
 #[test]
-fn a_name_is_of_a_kind_that_belongs_there() {
-    check(&[
-        (
-            CRANK,
-            "rrr BC(AB), DC(D) -> C { lengths: (3m, 3m), mode: left }",
-            "AB: `AB` is a link, not a point / name a joint of `AB`, or a `point` on it",
-        ),
-        (
-            CRANK,
-            "output sum = B;",
-            "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`",
-        ),
-        (
-            CRANK,
-            "crank EF(D) -> F { length: 1m, angle: t, relative_to: A }",
-            "A: `A` is a point, not a link / a link is what a `crank`, `slider` or dyad makes",
-        ),
-        (
-            CRANK,
-            "let x = B; let y = rail; guide rail through A along 0deg; let z = rail;",
-            "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`\n\
-             rail#1: `rail` is a guide, not a number\n\
-             rail#3: `rail` is a guide, not a number",
-        ),
-        (
-            GUIDE,
-            "crank relative(A) { angle: t, relative_to: rail } crank other(A) { angle: 1rad, \
-             relative_to: other }",
-            "rail: `rail` is a guide, not a link\n\
-             other#2: `other` is used inside the statement that makes it / a statement can use \
-             what earlier ones have made",
-        ),
-    ]);
-}
-
-#[test]
 fn a_mechanism_has_inputs_and_uses_them() {
     check(&[
         (

@@ -94,6 +94,11 @@ fn a_product_of_units_is_one_quantity() {
             "crank EF(D) -> F { length: 1m, angle: 2s }",
             "2s: a time where an angle belongs / multiply or divide by what is missing",
         ),
+        (
+            CRANK,
+            "crank EF(D) -> F { length: 1m, angle: 2pi - t }",
+            "2pi: write `2 * pi` / letters directly behind a number are its unit",
+        ),
     ]);
 }
 

@@ -65,6 +65,12 @@ fn forces_are_asked_by_drives_and_joints() {
             "output reach = x(B);",
             "x: write `B.x` / what a link or a point has stands behind its name",
         ),
+        (
+            SIX_BAR,
+            &format!("{MASS} output AB.torque;"),
+            "torque: a link has no `torque`; name its drive, or the joint at which a force acts / there \
+             is `AB.drive`, `AB.A` and `AB.B`",
+        ),
     ]);
 }
 
@@ -116,6 +122,11 @@ fn an_output_is_a_result() {
             "output 2 * t;",
             "2 * t: an expression needs a name; write `output name = …` / the name is the field \
              of the result",
+        ),
+        (
+            CRANK,
+            "output blade, AB;",
+            "blade: no point, link or `let` named `blade` / declared so far: `A`, `D`, `AB`, `B`",
         ),
     ]);
 }
@@ -192,6 +203,12 @@ fn a_link_gives_what_it_has() {
              carries it has a direction\n\
              slide: `fork` does not slide / of `rpr pin, fork`, `pin` slides",
         ),
+        (
+            GUIDE,
+            "output B.velocity;",
+            "velocity: rates need no output of their own; write `output B` / `velocity` gives that \
+             of `B`, and `motion` its acceleration too",
+        ),
     ]);
 }
 
@@ -232,6 +249,7 @@ fn an_expression_has_a_name_of_its_own() {
             "output sum = B + 1m;",
             "B: `B` is a point, not a number / its coordinates are `B.x` and `B.y`",
         ),
+        (CRANK, "output B = t;", "B: the name `B` is taken; choose another / `B` is a point"),
     ]);
 }
 

@@ -127,6 +127,11 @@ fn a_point_has_a_place_on_its_link() {
              and so an angle: `s / 20mm`",
         ),
         (CRANK, "point P at (t * 1m, 0);", ""),
+        (
+            CRANK,
+            "point P on B at (1m, 0);",
+            "B: `B` is a point, not a link / it is the pin of `crank AB`: name the link",
+        ),
     ]);
 }
 

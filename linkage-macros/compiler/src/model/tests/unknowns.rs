@@ -180,6 +180,11 @@ fn an_equation_moves_and_has_sides_of_one_kind() {
                  before x: {UNUSED}"
             ),
         ),
+        (
+            "AB.angle = x",
+            "x: a length where an angle belongs / what stands left of the `=` is an angle"
+                .to_string(),
+        ),
         ("BC.angle - 20deg = theta + x / 1m", String::new()),
         ("offset(B, rail) = x", String::new()),
         ("C.x * C.x = x * 1m", String::new()),

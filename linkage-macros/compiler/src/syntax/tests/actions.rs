@@ -40,6 +40,8 @@ fn statements_about_forces_that_do_not_parse() {
     const AXES: &str = "a force f across a link is `force (0, f) in LINK on P`: behind `in` stands the \
                         body along whose axes the components lie";
     const TORQUE: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
+    const STOP: &str = "a stop is `stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }`, of an \
+                        angle, a slide or a distance, and may have a name";
     let rows: &[(&str, String)] = &[
         (
             "gravity -9.81;",
@@ -94,6 +96,24 @@ fn statements_about_forces_that_do_not_parse() {
             "ground inertia(0, 0);",
             "inertia: `inertia` is a reserved word; choose another name / statements of this and \
              of later versions are made of it"
+                .to_string(),
+        ),
+        (
+            "stop ram.slide between 0.3m { stiffness: 5 }",
+            format!("0.3m: expected `(from, to)`, found `0.3m` / {STOP}"),
+        ),
+        ("stop ram.slide { stiffness: 5 }", format!("{{: expected `between`, found `{{` / {STOP}")),
+        (
+            "friction 0.1;",
+            ";: expected `at`, `on` or `between`, found `;` / friction is `friction 0.1 at C radius 8mm` \
+             of a pin, `friction 0.1 on BC at C radius 8mm` where more links meet, or `friction 0.1 on \
+             ram` of what slides"
+                .to_string(),
+        ),
+        (
+            "drive theta by 5N;",
+            "5N: expected a load, found `5N` / a load that drives an input is named behind it: `drive \
+             theta by pull;`"
                 .to_string(),
         ),
     ];

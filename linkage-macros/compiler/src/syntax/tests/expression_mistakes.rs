@@ -32,6 +32,16 @@ fn numbers() {
             "1e999: write a smaller exponent than in `1e999` / neither `f32` nor `f64` holds \
              such a number",
         ),
+        (
+            "let x = 1e999m;",
+            "1e999m: write a smaller exponent than in `1e999m` / neither `f32` nor `f64` holds \
+             such a number",
+        ),
+        (
+            "let x = 0x10mm;",
+            "0x10mm: write `0x10mm` in decimal / a number is decimal, with its unit directly behind \
+             it: `632mm`, `1e-3m`",
+        ),
     ];
     check_statements(ROWS);
 }
@@ -53,6 +63,10 @@ fn products_and_powers() {
         (
             "let x = +3;",
             "+: expected a number or a name, found `+` / a positive number has no sign",
+        ),
+        (
+            "point P on AB at (2 cos(t), 0);",
+            "cos: expected `,`, found `cos` / a product is written with `*`",
         ),
     ];
     check_statements(ROWS);

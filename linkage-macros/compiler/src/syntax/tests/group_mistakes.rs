@@ -33,6 +33,12 @@ fn legs_and_pins() {
             "(: expected the name of a link, found `(`\n=: write `:` after `length`",
         ),
         ("crank AB(at) {}", "at: expected the name of a point or a guide, found `at`"),
+        (
+            "rrr BC(AB.B), DC(D) -> C {}",
+            ".: write the joint without its link: `B` / points, links and guides have one name space",
+        ),
+        ("rrr BC(B) + DC(D) -> C {}", "+: write `,` between the links"),
+        ("rrr BC(B) DC(D) -> C {}", "DC: write `,` in front of `DC`"),
     ];
     check_statements(ROWS);
 }
@@ -78,6 +84,15 @@ fn braces_and_fields() {
             "/// doc: move the doc comment in front of its statement",
         ),
         ("crank AB(A) { length: 5, , angle: 3 }", ",#2: expected the name of a field, found `,`"),
+        (
+            "rrr BC(B), DC(D) -> C lengths: (3m, 3m), mode: left;",
+            "lengths: expected `{`, found `lengths` / write the fields of `rrr` in braces: `{ lengths: \
+             (…, …), mode: … }`",
+        ),
+        (
+            "rrr BC(B), DC(D) -> C { lengths (3m, 3m), mode = left }",
+            "(#3: write `:` after `lengths`\n=: write `:` after `mode`",
+        ),
     ];
     check_statements(ROWS);
 }
@@ -119,6 +134,10 @@ fn outputs_and_settings() {
         ("crate = super::super::a;", ""),
         ("crate::foo;", ":#1: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("export \"c\";", "\"c\": expected `c`, found `\"c\"`"),
+        (
+            "output *;",
+            "*: leave this statement out / without `output` every moving point and link is computed",
+        ),
     ];
     check_statements(ROWS);
 }
@@ -178,6 +197,14 @@ fn words_that_begin_no_statement() {
         ),
         ("//! x\n let x = 3;", "//! x: write `///` in front of what is documented"),
         ("/// doc\n", "after }: write a statement behind this doc comment, or drop it"),
+        (
+            "find x { a = b }",
+            "find: no statement begins with `find` / what is meant may be `solve`",
+        ),
+        (
+            "pub input t: angle;",
+            "pub: no statement begins with `pub` / leave it out: parameters and results are public",
+        ),
     ];
     check_statements(ROWS);
 }
@@ -221,6 +248,18 @@ fn habits_from_elsewhere() {
         (
             "rrr BC(B), DC(D) -> C { mode: left, lengths: 2 * 0.3m, 374mm }",
             "lengths: write `lengths: (…, …)` / two values of a field stand in parentheses",
+        ),
+        (
+            "rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: Side::Left }",
+            "Side: write `left` / a mode is one word",
+        ),
+        (
+            "rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: \"left\" }",
+            "\"left\": write `left` without quotes / there are no strings here",
+        ),
+        (
+            "crank AB(A) {}, output B;",
+            ",: leave out this `,` / a group ends with its braces, every other statement with `;`",
         ),
         // The model reports the mistakes in these, once.
         ("rrr BC(B), DC(D) -> C { lengths: (1m, 1m), mode: +1 }", ""),

@@ -43,6 +43,12 @@ fn inputs_parameters_and_values() {
         ("let half;", ";: expected `=`, found `;`"),
         ("let half = ;", ";: expected a number or a name, found `;`"),
         ("let half = 1 +;", ";: expected a number or a name, found `;`"),
+        (
+            "input theta: angle/s;",
+            "/: end this statement behind `angle` / rates are no inputs of their own: `velocity` and \
+             `motion` take them",
+        ),
+        ("let = 3m;", "=: expected the name of a value, found `=`"),
     ];
     check_statements(ROWS);
 }
@@ -100,6 +106,11 @@ fn names_that_cannot_be_given() {
             "output type = 3;",
             "type: `type` is a Rust keyword; choose another name / names become fields and \
              arguments of the generated code",
+        ),
+        (
+            "ground left(0, 1m);",
+            "left: `left` already has a meaning; choose another name / expressions and fields could not \
+             tell the two apart",
         ),
     ];
     check_statements(ROWS);
@@ -161,6 +172,11 @@ fn guides() {
             "guide rail through [0,0] along 0;",
             "[: expected a point or `(x, y)`, found `[` / a guide is a point and a direction: \
              `through (x, y) along 0deg` or `through A towards D`",
+        ),
+        (
+            "guide rail along 0;",
+            "along: expected `through`, found `along` / a guide is a point and a direction: `through \
+             (x, y) along 0deg` or `through A towards D`",
         ),
     ];
     check_statements(ROWS);
