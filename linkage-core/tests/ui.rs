@@ -1,5 +1,9 @@
-//! Every mistake has its message, at its token: one file a mistake, named for it, in folders by
-//! phase; `mixed` has several at once.
+//! What rustc alone can show of a mistake: where it underlines, what it says once the macro is done,
+//! and that a struct in error can be used without a second message. Each file is named for its
+//! mistake, in a folder by its phase; `mixed` has several at once, `calls` uses a mechanism wrongly.
+//!
+//! What a mistake is told, and at which token, is a row of the compiler's own tests, where it takes no
+//! run of rustc. A few files of every phase show that the places come through the macro.
 //!
 //! `LINKAGE_MESSAGES=1 cargo test -p linkage-core --test ui` writes the messages down anew.
 //!
@@ -104,7 +108,7 @@ fn check(file: &str, library: &Path) -> Result<(), String> {
 #[test]
 fn mistakes_are_reported_at_their_tokens() {
     let (files, library) = (mistakes(), library());
-    assert!(files.len() > 200, "{} files only", files.len());
+    assert!(files.len() > 80, "{} files only", files.len());
     let (next, failures) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let work = || {
         while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {

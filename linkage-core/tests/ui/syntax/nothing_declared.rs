@@ -1,0 +1,5 @@
+use linkage_core::mechanism;
+
+mechanism! {}
+
+fn main() {}
