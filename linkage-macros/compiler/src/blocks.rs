@@ -29,7 +29,10 @@ fn add(stream: TokenStream, found: &mut Vec<TokenStream>) {
             }
         }
         let [_, last] = before;
-        before = [last, tree.to_string()];
+        // Brackets are no name, and need no text of all that is in them.
+        let is_bracketed =
+            matches!(&tree, TokenTree::Group(group) if group.delimiter() != Delimiter::None);
+        before = [last, if is_bracketed { String::new() } else { tree.to_string() }];
     }
 }
 

@@ -152,7 +152,7 @@ fn printed(
 }
 
 /// The declaration, and what it means.
-fn read(
+pub(crate) fn read(
     source: TokenStream,
     diagnostics: &mut Diagnostics,
 ) -> (Option<Declaration>, Option<Result<Mechanism, Stub>>) {
@@ -173,7 +173,7 @@ fn read(
 }
 
 /// Equations and passes.
-fn program(mechanism: &Mechanism) -> Program {
+pub(crate) fn program(mechanism: &Mechanism) -> Program {
     // One graph holds the values of every entry point, written down under the rules: constants
     // are folded exactly, and nothing is added to zero or multiplied by one.
     let program = equations::derive(mechanism, passes::RULES);
@@ -182,13 +182,13 @@ fn program(mechanism: &Mechanism) -> Program {
 }
 
 /// The same for the program by which the mechanism is drawn, which shares nothing with the solver's.
-fn placing(mechanism: &Mechanism) -> Program {
+pub(crate) fn placing(mechanism: &Mechanism) -> Program {
     passes::optimise(&equations::placing::derive(mechanism, passes::RULES))
 }
 
 /// The text of a declaration as its author wrote it, with layout and comments; where another macro wrote
 /// it, that of its tokens.
-fn text(source: &TokenStream) -> String {
+pub(crate) fn text(source: &TokenStream) -> String {
     let tokens = source.to_string();
     let is_it = |written: &String| {
         let Ok(call) = written.parse::<TokenStream>() else { return false };
@@ -201,7 +201,7 @@ fn text(source: &TokenStream) -> String {
 
 /// Lowering and code generation; the program that places what is drawn and the declaration's text, where it
 /// is drawn.
-fn code(
+pub(crate) fn code(
     mechanism: &Mechanism,
     program: &Program,
     drawn: Option<(&Program, Option<&str>)>,

@@ -1,36 +1,31 @@
 //! Declarations of links and joints beside the same machine with its groups declared: the two
 //! expand to equal code.
 
-use proc_macro2::TokenStream;
-
-use super::{fuzz, numbered_anew, parts, pipeline};
+use super::{fuzz, numbered_anew, parts, pipeline, texts};
 use crate::pipeline::Options;
 
-/// The code without its documentation, and the mistakes.
-fn expanded(source: &str) -> (TokenStream, Vec<String>) {
+/// The code without its documentation, token by token, and the mistakes.
+fn expanded(source: &str) -> (Vec<String>, Vec<String>) {
     let tokens = source.parse().expect("these are tokens");
     let expansion = pipeline::compile(tokens, &Options::NONE).tokens;
     let messages = fuzz::messages(expansion.clone());
-    (parts::without_docs(expansion), messages)
+    let code = texts(expansion);
+    (parts::without_docs(&code).iter().map(ToString::to_string).collect(), messages)
 }
 
-fn tokens(text: &str) -> TokenStream {
-    text.parse().expect("these are tokens")
+/// The place of these tokens.
+fn place(code: &[String], words: &[&str]) -> Option<usize> {
+    code.windows(words.len()).position(|window| window == words)
 }
 
 /// The code without the constant that only drawings have.
-fn without_drawing(code: TokenStream) -> TokenStream {
-    let text = code.to_string();
-    let Some(from) = text.find("pub const DRAWN") else { return code };
+fn without_drawing(mut code: Vec<String>) -> Vec<String> {
+    let Some(from) = place(&code, &["pub", "const", "DRAWN"]) else { return code };
     // Its type has a semicolon as well.
-    let equals = from + text[from..].find('=').expect("a constant has a value");
-    let end = equals + text[equals..].find(';').expect("a constant ends");
-    tokens(&(text[..from].to_string() + &text[end + 1..]))
-}
-
-/// The hash of a part of the code, whose delimiters need not fit.
-fn numbered(code: &str) -> String {
-    numbered_anew(tokens(&code.replace(['(', ')', '[', ']', '{', '}'], " ; ")))
+    let equals = from + place(&code[from..], &["="]).expect("a constant has a value");
+    let end = equals + place(&code[equals..], &[";"]).expect("a constant ends");
+    code.drain(from..=end);
+    code
 }
 
 fn expand_alike(name: &str, drawn: &str, groups: &str) {
@@ -38,14 +33,19 @@ fn expand_alike(name: &str, drawn: &str, groups: &str) {
     let [(a, messages), (b, none)] = [drawn, groups].map(|text| expanded(&declared(text)));
     assert_eq!(messages, Vec::<String>::new(), "{name}");
     assert_eq!(none, Vec::<String>::new(), "{name}");
+    let [a, b] = [without_drawing(a), b];
     // Editors find other names in another text.
-    let for_editors =
-        |text: String| text[..text.find("struct Names_").expect("it names its names")].to_string();
-    let [a, b] = [without_drawing(a), b].map(|code| for_editors(code.to_string()));
-    if numbered(&a) != numbered(&b) {
-        let same = a.bytes().zip(b.bytes()).take_while(|(a, b)| a == b).count();
-        let around =
-            |text: &str| text[same.saturating_sub(200)..].chars().take(400).collect::<String>();
+    let [a, b] = [&a, &b].map(|code| {
+        let is_for_editors = |pair: &[String]| pair[0] == "struct" && pair[1].starts_with("Names_");
+        let end = code.windows(2).position(is_for_editors).expect("it names its names");
+        code[..end].iter().map(String::as_str).collect::<Vec<_>>()
+    });
+    if numbered_anew(&a) != numbered_anew(&b) {
+        let same = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
+        let around = |code: &[&str]| {
+            let from = same.saturating_sub(40);
+            code[from..].iter().copied().take(80).collect::<Vec<_>>().join(" ")
+        };
         panic!("{name}:\n{}\n\n{}", around(&a), around(&b));
     }
 }

@@ -1,4 +1,5 @@
-//! Parts of an expansion that are compared by themselves.
+//! Parts of an expansion that are compared by themselves. But for the declaration, all are of the texts of its
+//! tokens, in which the delimiters of a group are tokens.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
@@ -18,84 +19,70 @@ pub(super) fn exported(declaration: &TokenStream) -> TokenStream {
 }
 
 /// The text of `C_HEADER`.
-pub(super) fn header(stream: TokenStream) -> Option<String> {
-    let mut trees = stream.into_iter();
-    while let Some(tree) = trees.next() {
-        match tree {
-            TokenTree::Group(group) => {
-                if let Some(found) = header(group.stream()) {
-                    return Some(found);
-                }
-            }
-            TokenTree::Ident(name) if name == "C_HEADER" => {
-                return trees.find_map(|tree| match tree {
-                    TokenTree::Literal(text) => Some(text.to_string()),
-                    _ => None,
-                });
-            }
+pub(super) fn header(texts: &[String]) -> Option<&str> {
+    let at = texts.iter().position(|text| text == "C_HEADER")?;
+    texts[at..].iter().map(String::as_str).find(|text| is_string(text))
+}
+
+fn is_string(text: &str) -> bool {
+    text.starts_with(['"', 'r']) && text.ends_with(['"', '#']) && text.len() > 1
+}
+
+/// The place behind the group that is opened here.
+fn end_of_group(texts: &[String], open: usize) -> usize {
+    let mut depth = 0;
+    let end = texts[open..].iter().position(|text| {
+        match &text[..] {
+            "(" | "{" | "[" | "<none>" => depth += 1,
+            ")" | "}" | "]" | "</none>" => depth -= 1,
             _ => {}
         }
-    }
-    None
+        depth == 0
+    });
+    open + 1 + end.expect("every group ends")
 }
 
 /// The tokens without documentation.
-pub(super) fn without_docs(stream: TokenStream) -> TokenStream {
-    let mut kept = Vec::<TokenTree>::new();
-    for tree in stream {
-        let TokenTree::Group(group) = tree else {
-            kept.push(tree);
-            continue;
-        };
-        let first = group.stream().into_iter().next();
-        let is_doc = matches!(first, Some(TokenTree::Ident(word)) if word == "doc");
-        let is_attribute = group.delimiter() == Delimiter::Bracket
-            && matches!(kept.last(), Some(TokenTree::Punct(sign)) if sign.as_char() == '#');
-        if is_doc && is_attribute {
-            kept.pop();
+pub(super) fn without_docs(texts: &[String]) -> Vec<&str> {
+    let (mut kept, mut at) = (Vec::new(), 0);
+    while let Some(text) = texts.get(at) {
+        let is_doc = text.starts_with('#')
+            && texts[at + 1..].starts_with(&["[".to_string(), "doc".to_string()]);
+        if is_doc {
+            at = end_of_group(texts, at + 1);
         } else {
-            kept.push(Group::new(group.delimiter(), without_docs(group.stream())).into());
+            kept.push(&text[..]);
+            at += 1;
         }
     }
-    kept.into_iter().collect()
+    kept
 }
 
 /// The lines of documentation, in order.
-pub(super) fn docs(stream: TokenStream) -> Vec<String> {
-    let (mut lines, mut last) = (Vec::new(), [String::new(), String::new()]);
-    for tree in stream {
-        match &tree {
-            TokenTree::Group(group) => lines.extend(docs(group.stream())),
-            TokenTree::Literal(text) if last == ["doc", "="] => lines.push(text.to_string()),
-            _ => {}
-        }
-        let [_, before] = last;
-        last = [before, tree.to_string()];
-    }
-    lines
+pub(super) fn docs(texts: &[String]) -> Vec<&str> {
+    let lines = texts.windows(3).filter(|three| {
+        let [word, sign, line] = three else { return false };
+        word == "doc" && sign == "=" && is_string(line)
+    });
+    lines.map(|three| &three[2][..]).collect()
 }
 
 /// Splits the expansion of a declaration that can be drawn: the code without the drawing, and the drawing.
-pub(super) fn taken_apart(stream: TokenStream) -> (TokenStream, TokenStream) {
-    let (mut solver, mut drawing) = (Vec::<TokenTree>::new(), TokenStream::new());
-    for tree in stream {
-        let TokenTree::Group(group) = tree else {
-            solver.push(tree);
-            continue;
-        };
+pub(super) fn taken_apart(texts: &[String]) -> [Vec<&str>; 2] {
+    let (mut solver, mut drawing) = (Vec::new(), Vec::new());
+    let mut at = 0;
+    while let Some(text) = texts.get(at) {
         // `private::with_sketch! { … }` is five tokens and a group.
-        let called =
-            solver.iter().rev().nth(1).is_some_and(
-                |tree| matches!(tree, TokenTree::Ident(name) if name == "with_sketch"),
-            );
-        if called {
-            solver.truncate(solver.len() - 5);
-            drawing.extend(group.stream());
-            continue;
+        let is_drawing = text == "with_sketch" && texts.get(at + 1).is_some_and(|sign| sign == "!");
+        if is_drawing {
+            solver.truncate(solver.len() - 3);
+            let end = end_of_group(texts, at + 2);
+            drawing.extend(texts[at + 3..end - 1].iter().map(String::as_str));
+            at = end;
+        } else {
+            solver.push(&text[..]);
+            at += 1;
         }
-        let (inner, drawn) = taken_apart(group.stream());
-        solver.push(Group::new(group.delimiter(), inner).into());
-        drawing.extend(drawn);
     }
-    (solver.into_iter().collect(), drawing)
+    [solver, drawing]
 }

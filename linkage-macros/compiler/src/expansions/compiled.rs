@@ -1,0 +1,42 @@
+//! What the pipeline makes of a declaration in several ways, read and derived once for all of them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::parse_quote;
+
+use super::parts;
+use crate::diagnostics::{Diagnostic, Diagnostics};
+use crate::exact::Scope;
+use crate::model;
+use crate::model::mechanism::Mechanism;
+use crate::pipeline::{Options, code, placing, program, read, stub, text};
+
+/// The stub that the declaration would have if it had mistakes, its solver, and the solver of the same declaration
+/// with `export c;` beside all that can be shown of it.
+pub(super) fn all(source: &TokenStream) -> [TokenStream; 3] {
+    let _atoms = Scope::begin();
+    let mut diagnostics = Diagnostics::new();
+    let (declaration, resolved) = read(source.clone(), &mut diagnostics);
+    let mistakes: Vec<_> = diagnostics.into_mistakes().iter().map(Diagnostic::text).collect();
+    let Some((declaration, Ok(mut mechanism))) = declaration.zip(resolved) else {
+        panic!("{mistakes:?}\n{source}")
+    };
+    assert!(mistakes.is_empty(), "{mistakes:?}\n{source}");
+    let (placing, program) = (placing(&mechanism), program(&mechanism));
+    let solver = code(&mechanism, &program, None, &Options::NONE);
+    export(&mut mechanism);
+    let text = text(&parts::exported(source));
+    let exported = code(&mechanism, &program, Some((&placing, Some(&text))), &Options::PAGE);
+    [stub(&declaration, &model::stub(&declaration), &Options::NONE), solver, exported]
+}
+
+/// What `export c;` at the end of a declaration changes: all of it is code, and a line of the groups found in a drawing.
+fn export(mechanism: &mut Mechanism) {
+    if std::mem::replace(&mut mechanism.export_c, true) {
+        return;
+    }
+    let end = quote!(#[doc = "     }"]).to_string();
+    if let Some(at) = mechanism.docs.iter().rposition(|line| quote!(#line).to_string() == end) {
+        mechanism.docs.insert(at, parse_quote!(#[doc = "         export c;"]));
+    }
+}
