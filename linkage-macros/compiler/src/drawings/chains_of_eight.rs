@@ -5,6 +5,8 @@
 //! 3 (n − 1) − 2 j ≥ 1 for any links n ≥ 2 with j joints between them. There are sixteen (Freudenstein
 //! and Maki 1979, among many).
 
+use std::sync::LazyLock;
+
 use super::variants::Random;
 
 const LINKS: usize = 8;
@@ -15,26 +17,45 @@ const ASSORTMENTS: [[u32; LINKS]; 3] =
 /// The joints of a chain, by pairs of links.
 pub(crate) type Joints = Vec<[usize; 2]>;
 
+const PAIRS: usize = LINKS * (LINKS - 1) / 2;
+
 fn pairs() -> impl Iterator<Item = [usize; 2]> {
     (0..LINKS).flat_map(|b| (0..b).map(move |a| [a, b]))
 }
 
-/// Joints as a set of bits.
+/// The place of a pair among all.
+fn place([a, b]: [usize; 2]) -> usize {
+    let (a, b) = (a.min(b), a.max(b));
+    b * (b - 1) / 2 + a
+}
+
+/// Joints as a set of bits, by the places of their pairs.
 fn bits(joints: impl IntoIterator<Item = [usize; 2]>) -> u32 {
-    let bit = |[a, b]: [usize; 2]| {
-        let (a, b) = (a.min(b), a.max(b));
-        1 << (b * (b - 1) / 2 + a)
+    joints.into_iter().map(|joint| 1 << place(joint)).sum()
+}
+
+fn joints(mut bits: u32, pairs: &[[usize; 2]]) -> Joints {
+    let mut joints = Joints::new();
+    while bits > 0 {
+        joints.push(pairs[bits.trailing_zeros() as usize]);
+        bits &= bits - 1;
+    }
+    joints
+}
+
+/// For every part of a chain its count of links, and its pairs.
+fn parts() -> Vec<(u32, u32)> {
+    let parts = (0..1_u32 << LINKS).filter(|part| part.count_ones() > 1 && part.count_ones() < 8);
+    let of_part = |part: u32| {
+        let is_inside = |&[a, b]: &[usize; 2]| part >> a & part >> b & 1 == 1;
+        (part.count_ones(), bits(pairs().filter(is_inside)))
     };
-    joints.into_iter().map(bit).sum()
+    parts.map(of_part).collect()
 }
 
 /// True if no part of a chain is rigid.
-fn moves(joints: &[[usize; 2]]) -> bool {
-    (0..1_u32 << LINKS).filter(|part| part.count_ones() > 1 && part.count_ones() < 8).all(|part| {
-        let has = |link: usize| part >> link & 1 == 1;
-        let between = joints.iter().filter(|[a, b]| has(*a) && has(*b)).count() as u32;
-        3 * (part.count_ones() - 1) > 2 * between
-    })
+fn moves(joints: u32, parts: &[(u32, u32)]) -> bool {
+    parts.iter().all(|(links, pairs)| 3 * (links - 1) > 2 * (joints & pairs).count_ones())
 }
 
 /// All orders of the links that keep their counts of joints.
@@ -57,37 +78,53 @@ fn orders(counts: &[u32; LINKS]) -> Vec<[usize; LINKS]> {
     all
 }
 
-fn renamed(joints: &[[usize; 2]], order: &[usize; LINKS]) -> Joints {
-    joints.iter().map(|[a, b]| [order[*a], order[*b]]).collect()
+/// The bit that each pair becomes under an order of the links.
+type Renaming = [u32; PAIRS];
+
+fn renaming(order: &[usize; LINKS]) -> Renaming {
+    let mut renaming = [0; PAIRS];
+    for (bit, [a, b]) in renaming.iter_mut().zip(pairs()) {
+        *bit = bits([[order[a], order[b]]]);
+    }
+    renaming
+}
+
+fn renamed(mut joints: u32, renaming: &Renaming) -> u32 {
+    let mut other = 0;
+    while joints > 0 {
+        other |= renaming[joints.trailing_zeros() as usize];
+        joints &= joints - 1;
+    }
+    other
 }
 
 /// All chains with these counts of joints, one of each kind.
-fn chains(counts: &[u32; LINKS], orders: &[[usize; LINKS]]) -> Vec<Joints> {
+fn chains(counts: &[u32; LINKS], renamings: &[Renaming]) -> Vec<u32> {
+    let (pairs, parts) = (pairs().collect::<Vec<_>>(), parts());
     let mut seen = std::collections::HashSet::new();
     let mut found = Vec::new();
-    let all: Vec<_> = pairs().collect();
-    let mut open = vec![(0, Joints::new())];
-    while let Some((next, joints)) = open.pop() {
-        let count =
-            |link: usize| joints.iter().filter(|joint| joint.contains(&link)).count() as u32;
-        if (0..LINKS).any(|link| count(link) > counts[link]) {
-            continue;
-        }
-        let Some(&pair) = all.get(next) else {
-            let is_full = (0..LINKS).all(|link| count(link) == counts[link]);
-            if is_full && !seen.contains(&bits(joints.iter().copied())) && moves(&joints) {
-                seen.extend(orders.iter().map(|order| bits(renamed(&joints, order))));
+    // The next pair, the joints so far, and how many each link is still to have.
+    let mut open = vec![(0, 0_u32, *counts)];
+    while let Some((next, joints, left)) = open.pop() {
+        let Some(&[a, b]) = pairs.get(next) else {
+            if left == [0; LINKS] && !seen.contains(&joints) && moves(joints, &parts) {
+                seen.extend(renamings.iter().map(|renaming| renamed(joints, renaming)));
                 found.push(joints);
             }
             continue;
         };
-        // The larger link of a pair comes last: the joints of those behind are still open.
-        let left = |link: usize| all[next..].iter().filter(|pair| pair.contains(&link)).count();
-        if (0..LINKS).any(|link| count(link) + (left(link) as u32) < counts[link]) {
+        // A link meets those before its larger neighbour, and all behind.
+        let others = |link: usize| LINKS - if link < b { b + usize::from(link < a) } else { 1 + a };
+        if (0..=b).any(|link| left[link] as usize > others(link)) {
             continue;
         }
-        open.push((next + 1, joints.clone()));
-        open.push((next + 1, [&joints[..], &[pair]].concat()));
+        open.push((next + 1, joints, left));
+        if left[a] > 0 && left[b] > 0 {
+            let mut left = left;
+            left[a] -= 1;
+            left[b] -= 1;
+            open.push((next + 1, joints | 1 << next, left));
+        }
     }
     found
 }
@@ -132,15 +169,23 @@ impl Driven {
     }
 }
 
-/// Every chain with every ground and every driven joint, one of each kind.
-pub(crate) fn all() -> Vec<Driven> {
+/// Every chain with every ground and every driven joint, one of each kind. Tests run beside each other, and the first
+/// makes them for all.
+pub(crate) fn all() -> &'static [Driven] {
+    static ALL: LazyLock<Vec<Driven>> = LazyLock::new(enumerated);
+    &ALL
+}
+
+fn enumerated() -> Vec<Driven> {
+    let pairs: Vec<_> = pairs().collect();
     let mut found = Vec::new();
     for counts in ASSORTMENTS {
         let orders = orders(&counts);
-        for joints in chains(&counts, &orders) {
-            let all = bits(joints.iter().copied());
-            let same: Vec<_> =
-                orders.iter().filter(|order| bits(renamed(&joints, order)) == all).collect();
+        let renamings: Vec<_> = orders.iter().map(renaming).collect();
+        for chain in chains(&counts, &renamings) {
+            let same = orders.iter().zip(&renamings);
+            let same: Vec<_> = same.filter(|(_, by)| renamed(chain, by) == chain).collect();
+            let joints = joints(chain, &pairs);
             let mut seen = Vec::new();
             for ground in 0..LINKS {
                 for drive in 0..joints.len() {
@@ -148,10 +193,7 @@ pub(crate) fn all() -> Vec<Driven> {
                     if seen.contains(&(ground, joint)) {
                         continue;
                     }
-                    seen.extend(
-                        same.iter()
-                            .map(|order| (order[ground], bits(renamed(&[joints[drive]], order)))),
-                    );
+                    seen.extend(same.iter().map(|(order, by)| (order[ground], renamed(joint, by))));
                     found.push(Driven { joints: joints.clone(), ground, drive });
                 }
             }

@@ -2,8 +2,8 @@
 
 use super::machine::machine;
 
-/// A drawing with `R` on its plate by a statement, and the same with a pin there.
-fn move_alike(declared: &str, point: &str, drawn: &str) {
+/// A drawing with `R` on its plate by a statement, and the same with a pin there; the documentation of the first.
+fn move_alike(declared: &str, point: &str, drawn: &str) -> String {
     let text = |statements: &str| format!("pub struct M {{ {statements} }}");
     let [a, b] = [format!("{declared}\n{point}"), drawn.to_string()]
         .map(|statements| machine(&text(&statements)).unwrap_or_else(|told| panic!("{told:?}")));
@@ -20,6 +20,7 @@ fn move_alike(declared: &str, point: &str, drawn: &str) {
             assert!(off < 1e-13, "{name} at {step} is off by {off:e}");
         }
     }
+    a.docs()
 }
 
 const TRIAD: &str = "input t: angle; ground A(-1, 0), D(4, 0), E(2, 5);
@@ -34,10 +35,8 @@ fn a_search_reaches_a_plate_from_any_of_its_pins() {
         let drawn =
             format!("{TRIAD} {pins}, R(1.9, 3.1); link plate(P, Q, R); drive AB.angle = t;");
         let point = "point R on plate at (1.1, 1.9);";
-        let docs =
-            machine(&format!("pub struct M {{ {declared} {point} }}")).expect("a machine").docs();
+        let docs = move_alike(&declared, point, &drawn);
         assert_eq!(docs.contains("-> R"), is_reached_from_it, "{docs}");
-        move_alike(&declared, point, &drawn);
         if !is_reached_from_it {
             // 1.1² + 1.9², to each side.
             let point = "point R on plate at distances (sqrt(4.82)*1m, sqrt(4.82)*1m) left;";

@@ -59,7 +59,7 @@ fn all_eight_bars_are_cut_into_the_groups_that_are_known() {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let mut counts = [[0; 4]; 2];
     for driven in all() {
-        let (largest, is_solved) = class(&kinematic(&driven, &drawing(&mut random)));
+        let (largest, is_solved) = class(&kinematic(driven, &drawing(&mut random)));
         let counts = &mut counts[usize::from(!driven.is_at_the_ground())];
         counts[largest / 2 - 1] += 1;
         counts[3] += usize::from(is_solved);
@@ -70,13 +70,24 @@ fn all_eight_bars_are_cut_into_the_groups_that_are_known() {
 
 /// The work of a cut: eight options are followed over 121 poses at most. A root takes three residuals an iteration, a slope two; the
 /// width about a root and the roots in an interval take some dozens more. Optimised, the 68,824 residuals of the largest
-/// take 23 ms, on a machine that did other work as well.
+/// take 23 ms, on a machine that did other work as well. A part of the machines; `.ci/nightly` takes more.
 #[test]
 fn a_group_of_class_three_is_followed_in_bounded_work() {
+    assert!(followed_in_bounded_work(61) > 3);
+}
+
+#[test]
+#[ignore = "minutes: `.ci/nightly` takes it"]
+fn more_groups_of_class_three_are_followed_in_bounded_work() {
+    assert!(followed_in_bounded_work(17) > 8);
+}
+
+/// The count of groups among every nth machine.
+fn followed_in_bounded_work(nth: usize) -> usize {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut groups, mut most, mut longest) = (0, 0, 0.0_f64);
-    for driven in all().into_iter().step_by(17) {
-        let machine = kinematic(&driven, &drawing(&mut random));
+    for driven in all().iter().step_by(nth) {
+        let machine = kinematic(driven, &drawing(&mut random));
         RESIDUALS.with(|count| count.set(0));
         let start = std::time::Instant::now();
         let steps = crate::chain::cut(&machine);
@@ -89,7 +100,8 @@ fn a_group_of_class_three_is_followed_in_bounded_work() {
         }
     }
     println!("{groups} groups, {most} residuals and {longest} s at most");
-    assert!(groups > 8 && most < 8 * 121 * 80, "{groups} {most}");
+    assert!(most < 8 * 121 * 80, "{most}");
+    groups
 }
 
 /// The outcomes of drawings: machines that are solved where they are drawn, such that are drawn at a
@@ -105,7 +117,7 @@ struct Outcomes {
 fn compiled(nth: usize) -> [Outcomes; 2] {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let mut outcomes = <[Outcomes; 2]>::default();
-    for driven in all().into_iter().step_by(nth) {
+    for driven in all().iter().step_by(nth) {
         let outcomes = &mut outcomes[usize::from(!driven.is_at_the_ground())];
         let statements = driven.statements(&drawing(&mut random));
         let found = machine(&format!("pub struct M {{ {statements} }}"));
@@ -138,15 +150,15 @@ fn compiled(nth: usize) -> [Outcomes; 2] {
 /// group; three groups in a row are rarely all near theirs.
 const OFF: f64 = 1e-10;
 
+/// Every 53rd of those that `.ci/nightly` takes.
 #[test]
 fn a_part_of_the_eight_bars_is_where_it_is_drawn() {
-    let [ground, moving] = compiled(11);
-    assert!(ground.solved >= 10 && moving.solved >= 38);
+    let [ground, moving] = compiled(53);
+    assert!(ground.solved >= 2 && moving.solved >= 6);
 }
 
-/// The rest of them.
 #[test]
-#[ignore = "minutes: `.ci/run` takes it"]
+#[ignore = "minutes: `.ci/nightly` takes it"]
 fn eight_bars_are_where_they_are_drawn() {
     let [ground, moving] = compiled(1);
     assert_eq!([ground.solved, moving.solved], [152, 390]);
@@ -154,17 +166,49 @@ fn eight_bars_are_where_they_are_drawn() {
 
 /// Told in another order, with other names, in another size or mirrored, it is the same machine: its
 /// dyads are the same, and what one unknown solves is solved by one. Which link is left out may change where
-/// two hold equally long a motion, to rounding.
+/// two hold equally long a motion, to rounding. Each machine is told in one other way; `.ci/nightly` tells it in all.
 #[test]
 fn eight_bars_told_otherwise_have_the_same_groups() {
+    told_otherwise(|nth, told| vec![told.swap_remove(nth % told.len())]);
+}
+
+#[test]
+#[ignore = "minutes: `.ci/nightly` takes it"]
+fn eight_bars_told_in_every_other_way_have_the_same_groups() {
+    told_otherwise(|_, told| std::mem::take(told));
+}
+
+/// Statements, and what becomes of a group in them.
+type Told = (String, fn(&str) -> String);
+
+/// Every other way to tell a machine.
+fn other_ways(statements: &str, random: &mut Random) -> Vec<Told> {
+    let same = |group: &str| group.to_string();
+    let mut told: Vec<Told> = vec![
+        (statements.replace('P', "joint_"), same),
+        (moved(statements, |[x, y]| [x, -y]), mirrored),
+    ];
+    // The statements of links and the drive change places.
+    let mut lines: Vec<_> = statements.lines().collect();
+    for last in (4..lines.len()).rev() {
+        lines.swap(last, 3 + random.below(last - 2));
+    }
+    told.push((lines.join("\n"), same));
+    let scales = [1e-9, 1e-3, 1e3, 1e9];
+    told.extend(scales.map(|by| (moved(statements, |[x, y]| [x * by, y * by]), same as _)));
+    told
+}
+
+fn told_otherwise(chosen: impl Fn(usize, &mut Vec<Told>) -> Vec<Told>) {
     let mut random = Random(0xd1b5_4a32_d192_ed03);
     let (mut of_dyads, mut searched) = (0, 0);
-    for driven in all().into_iter().step_by(61) {
+    for (nth, driven) in all().iter().step_by(61).enumerate() {
         let statements = driven.statements(&drawing(&mut random));
         let Ok(mechanism) = resolved_text(&statements) else { continue };
-        let check = |told: &str, change: fn(&str) -> String| {
+        let mut told = other_ways(&statements, &mut random);
+        for (told, change) in chosen(nth, &mut told) {
             let other =
-                resolved_text(told).unwrap_or_else(|mistakes| panic!("{told}\n{mistakes:?}"));
+                resolved_text(&told).unwrap_or_else(|mistakes| panic!("{told}\n{mistakes:?}"));
             assert_eq!(other.unknowns.len(), mechanism.unknowns.len(), "{told}");
             if mechanism.unknowns.is_empty() {
                 let [mut before, mut now] = [&mechanism, &other].map(groups);
@@ -173,19 +217,7 @@ fn eight_bars_told_otherwise_have_the_same_groups() {
                 now.sort();
                 assert_eq!(now, before, "{told}");
             }
-        };
-        let same = |group: &str| group.to_string();
-        check(&statements.replace('P', "joint_"), same);
-        for scale in [1e-9, 1e-3, 1e3, 1e9] {
-            check(&moved(&statements, |[x, y]| [x * scale, y * scale]), same);
         }
-        check(&moved(&statements, |[x, y]| [x, -y]), mirrored);
-        // The statements of links and the drive change places.
-        let mut lines: Vec<_> = statements.lines().collect();
-        for last in (4..lines.len()).rev() {
-            lines.swap(last, 3 + random.below(last - 2));
-        }
-        check(&lines.join("\n"), same);
         of_dyads += usize::from(mechanism.unknowns.is_empty());
         searched += mechanism.unknowns.len();
     }

@@ -7,6 +7,7 @@
 mod chains_of_eight;
 mod declared_points;
 mod eight_bars;
+mod files;
 mod following;
 pub(crate) mod lorry;
 mod machine;

@@ -132,21 +132,38 @@ fn inverted(statements: &str) -> Option<(String, String)> {
 }
 
 /// The link that is driven and the ground exchange their places: all groups are the same, in the same modes, for the pose is;
-/// in the mirrored drawing in the other ones.
+/// in the mirrored drawing in the other ones. Of machines that search, every sixth; `.ci/nightly` takes all of them.
 #[test]
 fn the_ground_and_the_driven_link_exchange_their_places() {
+    let [of_dyads, searched] = exchanged_places(6);
+    assert!(of_dyads > 15 && searched > 15, "{of_dyads} {searched}");
+}
+
+#[test]
+#[ignore = "minutes: `.ci/nightly` takes it"]
+fn the_ground_and_the_driven_link_exchange_their_places_in_all_machines() {
+    exchanged_places(1);
+}
+
+/// The counts of machines of dyads, and of those that search, every nth of which is looked at.
+fn exchanged_places(nth: usize) -> [usize; 2] {
     let (mut of_dyads, mut searched) = (0, 0);
     for case in cases().into_iter().filter(|case| !case.statements.contains("guide")) {
         if case.statements.matches("drive ").count() > 1 {
             continue;
         }
         let Some((text, crank)) = inverted(case.statements) else { continue };
+        if case.expected[0].starts_with("group") {
+            searched += 1;
+            if searched % nth != 0 {
+                continue;
+            }
+        }
         let Ok(before) = resolved_text(case.statements) else { continue };
         let now =
             resolved_text(&text).unwrap_or_else(|told| panic!("{}: {told:?}\n{text}", case.name));
         assert_eq!(now.unknowns.len(), before.unknowns.len(), "{}", case.name);
         if !before.unknowns.is_empty() {
-            searched += 1;
             continue;
         }
         let exchanged = |group: &String| match *group == crank {
@@ -162,7 +179,7 @@ fn the_ground_and_the_driven_link_exchange_their_places() {
         of_dyads += 1;
     }
     println!("{of_dyads} of dyads, {searched} searched");
-    assert!(of_dyads > 15 && searched > 15, "{of_dyads} {searched}");
+    [of_dyads, searched]
 }
 
 #[test]
