@@ -330,7 +330,7 @@ fn any_statements_have_stubs() {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 33) as usize % below
     };
-    for _ in 0..300 {
+    for _ in 0..120 {
         let count = draw(8);
         let statements: Vec<&str> =
             (0..count).map(|_| STATEMENTS[draw(STATEMENTS.len())]).collect();
