@@ -66,14 +66,14 @@ fn print_every(nth: usize, root: &Path) -> Vec<String> {
     sources
 }
 
-/// As C and as C++; `.ci/run` asks the other compilers, about every declaration.
+/// As C and as C++; `.ci/nightly` asks the other compilers, about every declaration.
 #[test]
 fn some_declarations_are_c_and_cpp() {
-    compilers_take(12, &COMPILERS[..2]);
+    compilers_take(40, &COMPILERS[..2]);
 }
 
 #[test]
-#[ignore = "minutes: `.ci/run` takes it"]
+#[ignore = "minutes: `.ci/nightly` takes it"]
 fn every_declaration_is_c_and_cpp() {
     assert!(compilers_take(1, &COMPILERS) > 250);
 }
@@ -124,11 +124,21 @@ fn compiled(
     told
 }
 
-/// Whatever the inputs and loads of a mechanism are, its model is C.
+/// Whatever the inputs and loads of a mechanism are, its model is C. `.ci/nightly` takes more of them.
 #[test]
 fn some_models_are_c() {
-    let root = std::env::temp_dir().join(format!("linkage_c_{}_fmu", std::process::id()));
-    for (nth, declaration) in declarations::all().step_by(9).enumerate() {
+    models_are_c(45);
+}
+
+#[test]
+#[ignore = "minutes: `.ci/nightly` takes it"]
+fn many_models_are_c() {
+    models_are_c(9);
+}
+
+fn models_are_c(every: usize) {
+    let root = std::env::temp_dir().join(format!("linkage_c_{}_fmu_{every}", std::process::id()));
+    for (nth, declaration) in declarations::all().step_by(every).enumerate() {
         let Ok(files) = pipeline::fmu(declaration.tokens, nth % 4 == 0) else { continue };
         let folder = root.join(nth.to_string());
         std::fs::create_dir_all(folder.join("sources")).expect("a folder can be made");

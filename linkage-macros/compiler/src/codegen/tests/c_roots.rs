@@ -152,13 +152,13 @@ fn equation(random: &mut Random, is_single: bool) -> [f64; 9] {
 }
 
 /// Also that every kind of answer is often met.
-pub(super) fn roots_agree(programs: &[Program]) {
+pub(super) fn roots_agree(programs: &[Program], count: usize) {
     let mut random = Random(23);
     for is_single in [false, true] {
         let mut statuses = BTreeMap::new();
         for which in FIRST..FIRST + 24 {
             let call = |_| Call { which, is_single, x: equation(&mut random, is_single) };
-            let calls: Vec<Call> = (0..5_000).map(call).collect();
+            let calls: Vec<Call> = (0..count).map(call).collect();
             let expected = compare(programs, &calls, |call| match is_single {
                 false => expected::<f64>(call),
                 true => expected::<f32>(call),

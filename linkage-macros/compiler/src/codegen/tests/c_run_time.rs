@@ -184,12 +184,12 @@ fn expected<T: Float, F: Fusion>(call: &Call, widen: impl Fn(T) -> f64) -> Entry
     }
 }
 
-fn functions_agree<F: Fusion>(programs: &[Program]) {
+fn functions_agree<F: Fusion>(programs: &[Program], count: usize) {
     let mut random = Random(7);
     for is_single in [false, true] {
         for which in 0..15 {
             let call = |_| Call { which, is_single, x: arguments(&mut random, which, is_single) };
-            let calls: Vec<Call> = (0..20_000).map(call).collect();
+            let calls: Vec<Call> = (0..count).map(call).collect();
             compare(programs, &calls, |call| match is_single {
                 false => expected::<f64, F>(call, |x| x),
                 true => expected::<f32, F>(call, f64::from),
@@ -324,13 +324,13 @@ fn diagnosed<T: Real>(call: &Call) -> EntryOutputs {
     }
 }
 
-fn conditions_agree(programs: &[Program]) {
+fn conditions_agree(programs: &[Program], count: usize) {
     let mut random = Random(11);
     for is_single in [false, true] {
         let mut statuses = BTreeSet::new();
         for which in 20..32 {
             let call = |_| Call { which, is_single, x: operands(&mut random, which, is_single) };
-            let calls: Vec<Call> = (0..20_000).map(call).collect();
+            let calls: Vec<Call> = (0..count).map(call).collect();
             let expected = compare(programs, &calls, |call| match is_single {
                 false => diagnosed::<f64>(call),
                 true => diagnosed::<f32>(call),
@@ -341,32 +341,47 @@ fn conditions_agree(programs: &[Program]) {
     }
 }
 
-/// As strict C99 and as C++17.
+/// As strict C99, by a part of the calls that `.ci/nightly` makes, which also takes C++17.
 #[test]
 fn strict_c_agrees() {
+    let programs = programs(&[("cc", "strict", &STRICT)]);
+    all_agree::<Plain>(&programs, 4);
+    library_functions::agree::<Plain>(&programs, 6_000);
+}
+
+#[test]
+#[ignore = "minutes: `.ci/nightly` takes it"]
+fn strict_c_and_cpp_agree_at_length() {
     let cpp =
         ["-x", "c++", "-std=c++17", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
-    let compilers =
-        [("cc", "strict", &STRICT[..]), ("clang", "clang", &STRICT), ("g++", "cpp", &cpp)];
-    let programs: Vec<_> =
-        compilers.into_iter().filter_map(|(cc, name, flags)| program(cc, name, flags)).collect();
-    functions_agree::<Plain>(&programs);
-    library_functions::agree::<Plain>(&programs);
-    conditions_agree(&programs);
-    roots_agree(&programs);
+    let programs = programs(&[
+        ("cc", "strict_at_length", &STRICT),
+        ("clang", "clang", &STRICT),
+        ("g++", "cpp", &cpp),
+    ]);
+    all_agree::<Plain>(&programs, 1);
+    library_functions::agree::<Plain>(&programs, 20_000);
 }
 
 /// Also where the compiler may contract a product into a sum, and where operations are fused.
 #[test]
+#[ignore = "minutes: `.ci/nightly` takes it"]
 fn fused_c_agrees() {
     if !cfg!(target_arch = "x86_64") || !std::is_x86_feature_detected!("fma") {
         println!("skipped: no fused operations");
         return;
     }
-    let compilers = [("cc", "fused"), ("clang", "clang_fused")];
-    let programs = compilers.into_iter().filter_map(|(cc, name)| program(cc, name, &CONTRACTING));
-    let programs: Vec<_> = programs.collect();
-    functions_agree::<Fused>(&programs);
-    conditions_agree(&programs);
-    roots_agree(&programs);
+    let compilers = [("cc", "fused", &CONTRACTING[..]), ("clang", "clang_fused", &CONTRACTING)];
+    all_agree::<Fused>(&programs(&compilers), 1);
+}
+
+fn programs(compilers: &[(&str, &str, &[&str])]) -> Vec<Program> {
+    compilers.iter().filter_map(|(cc, name, flags)| program(cc, name, flags)).collect()
+}
+
+/// All but the library's functions, by a share of the calls.
+fn all_agree<F: Fusion>(programs: &[Program], share: usize) {
+    functions_agree::<F>(programs, 20_000 / share);
+    conditions_agree(programs, 20_000 / share);
+    roots_agree(programs, 5_000 / share.min(2));
 }
