@@ -34,7 +34,10 @@ fn asked(nth: usize) -> Counts {
         }
         let name = case.name;
         counts.poses += poses::single_precision_stands_where_it_is_drawn(name, &machine);
-        poses::every_pin_is_where_it_is_drawn_and_every_body_stays_rigid(name, &machine);
+        // In a hundred digits a search takes a second.
+        if machine.mechanism.unknowns.is_empty() || counts.searched % (2 * nth) == 0 || nth == 1 {
+            poses::every_pin_is_where_it_is_drawn_and_every_body_stays_rigid(name, &machine);
+        }
         let follows = following::all_of_the_stretch_is_solved(name, &machine);
         counts.following += usize::from(follows);
     }

@@ -111,7 +111,7 @@ impl Hashes {
 /// The declarations of which everything is looked at.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Share {
-    /// Every variant, and of the others a third, by their own tokens.
+    /// Every variant, and of the others a fifth, by their own tokens.
     Sample,
     Whole,
 }
@@ -119,7 +119,7 @@ enum Share {
 impl Share {
     fn includes(self, (name, source): &Key) -> bool {
         let number = || u64::from_str_radix(source, 16).expect("a hash is a number");
-        self == Self::Whole || name.starts_with("variant: ") || number() % 3 == 0
+        self == Self::Whole || name.starts_with("variant: ") || number() % 5 == 0
     }
 
     /// The expansions of all declarations, none of those that are not included.
@@ -191,7 +191,7 @@ fn differences(
     found
 }
 
-/// Every variant and a third of the other declarations; `.ci/nightly` asks all of them.
+/// Every variant and a fifth of the other declarations; `.ci/nightly` asks all of them.
 #[test]
 fn no_declaration_expands_to_other_code_than_before() {
     let messages = messages_of_slips();
@@ -273,8 +273,12 @@ fn a_drawing_changes_nothing_of_the_solver_and_is_a_third_of_it_at_most() {
     let names =
         ["FlyingShear", "JansenLeg", "Excavator", "SixBar", "Whitworth", "CrankYoke", "ByTheWheel"];
     let mut seen = std::collections::BTreeSet::new();
+    // Every third variant: the stored hashes are of solvers with and without a drawing.
+    let mut variants = 0;
     let chosen = |declaration: &Declaration| {
-        declaration.name.starts_with("variant: ") || names.contains(&&declaration.name[..])
+        let is_variant = declaration.name.starts_with("variant: ");
+        variants += usize::from(is_variant);
+        is_variant && variants % 3 == 0 || names.contains(&&declaration.name[..])
     };
     for declaration in declarations::all().filter(chosen) {
         if !seen.insert(declaration.name.clone()) {
@@ -296,5 +300,5 @@ fn a_drawing_changes_nothing_of_the_solver_and_is_a_third_of_it_at_most() {
             declaration.name
         );
     }
-    assert!(seen.len() > 30, "{}", seen.len());
+    assert!(seen.len() > 15, "{}", seen.len());
 }

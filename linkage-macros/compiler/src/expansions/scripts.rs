@@ -73,8 +73,8 @@ pub(super) fn all_call_what_is_defined(all: &BTreeMap<Key, Option<Expansion>>) -
     scripts
 }
 
-/// Every variant and a third of the other declarations; `.ci/nightly` asks all of them.
+/// Every variant and a fifth of the other declarations; `.ci/nightly` asks all of them.
 #[test]
 fn a_script_calls_what_its_page_defines() {
-    assert!(all_call_what_is_defined(&SAMPLE) > 100);
+    assert!(all_call_what_is_defined(&SAMPLE) > 60);
 }

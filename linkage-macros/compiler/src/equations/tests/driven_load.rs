@@ -2,6 +2,7 @@
 
 use crate::equations::{derive, load_does_work};
 use crate::ir::interpret::{Number, ProgramValues};
+use crate::ir::program::Program;
 use crate::oracle::{Digits, mechanism, values};
 use crate::passes;
 
@@ -43,44 +44,54 @@ const FRICTION: &str = "friction 0.02 at A radius 20mm; friction 0.021 at B radi
 const STATE: [[f64; 3]; 2] = [[0.7, 3.0, -2.0], [0.4, -1.5, 4.0]];
 
 impl Machine {
-    /// The numbers of an entry point, with the load given or found; `driven` is the input that it drives.
-    fn found(&self, entry: &str, more: &str, driven: &str, given: Option<&Digits>) -> Vec<Digits> {
+    /// The mechanism with the load given or found; `driven` is the input that it drives.
+    fn solver(&self, more: &str, driven: &str, is_given: bool) -> Program {
         let Self { statements, outputs, inputs } = self;
         let laws = if self.inputs.len() == 1 { LAWS } else { "" };
         let (placed, acting) = statements.split_once("gravity").expect("there is gravity");
-        let (drive, first) = match given {
-            None => (format!("drive {driven} by pull;"), "pull".to_string()),
-            Some(_) => (String::new(), format!("{driven}.drive")),
+        let (drive, first) = match is_given {
+            false => (format!("drive {driven} by pull;"), "pull".to_string()),
+            true => (String::new(), format!("{driven}.drive")),
         };
         let source = format!(
             "struct M {{ input {}: angle; load cut: force; load pull: force; {placed} {laws} gravity {acting} \
              {more} {drive} output {first}, {outputs}; }}",
             inputs.join(", ")
         );
-        let mechanism = mechanism(&source);
-        let program = passes::optimise(&derive(&mechanism, passes::RULES));
-        let state = &STATE[..mechanism.inputs.len()];
+        passes::optimise(&derive(&mechanism(&source), passes::RULES))
+    }
+
+    /// The numbers of an entry point, with the load given or found.
+    fn found(
+        &self,
+        program: &Program,
+        entry: &str,
+        driven: &str,
+        given: Option<&Digits>,
+    ) -> Vec<Digits> {
         // Forwards the load stands in the place of the drive, and nothing in that of a given one.
-        let drive = |name: &&str| match (name == &driven, given) {
+        let drive = |name: &&str| match (*name == driven, given) {
             (true, None) => Digits::float(45.0),
             (true, Some(_)) => Digits::float(0.0),
             (false, _) => Digits::float(-6.0),
         };
+        let state = &STATE[..self.inputs.len()];
         let given = ProgramValues {
             inputs: state.iter().map(|one| one.map(Digits::float)).collect(),
             params: Vec::new(),
             loads: [Digits::float(11.0)].into_iter().chain(given.cloned()).collect(),
-            drives: inputs.iter().map(drive).collect(),
+            drives: self.inputs.iter().map(drive).collect(),
             unit: None,
         };
-        values(&program, entry, &given)
+        values(program, entry, &given)
     }
 
     /// Compares everything but the load, and the drive that is left, in so many digits of the largest number.
     fn check(&self, more: &str, driven: &str, share: f64) {
+        let [searched, told] = [false, true].map(|is_given| self.solver(more, driven, is_given));
         for entry in ["forces", "statics"] {
-            let found = self.found(entry, more, driven, None);
-            let known = self.found(entry, more, driven, Some(&found[0]));
+            let found = self.found(&searched, entry, driven, None);
+            let known = self.found(&told, entry, driven, Some(&found[0]));
             let largest = known.iter().chain(&found).map(|x| x.to_f64().abs()).fold(1.0, f64::max);
             assert!(known[0].to_f64().abs() <= share * largest, "{entry}: {}", known[0].to_f64());
             assert!(found[0].to_f64().abs() > 1.0, "{entry}: a load of {}", found[0].to_f64());
@@ -89,11 +100,11 @@ impl Machine {
                 assert!(apart <= share * largest, "{entry}: {} {}", found.to_f64(), known.to_f64());
             }
         }
-        let forward = |given| -> Vec<f64> {
-            let found = self.found("forward_dynamics", more, driven, given);
+        let forward = |program, given| -> Vec<f64> {
+            let found = self.found(program, "forward_dynamics", driven, given);
             found.iter().map(Digits::to_f64).collect()
         };
-        let (found, known) = (forward(None), forward(Some(&Digits::float(45.0))));
+        let (found, known) = (forward(&searched, None), forward(&told, Some(&Digits::float(45.0))));
         assert_eq!(found, known);
     }
 }
@@ -112,7 +123,8 @@ fn nothing_is_left_for_a_drive_beside_friction() {
         "friction 0.2 at A radius 30mm smooth 0.1(rad/s); friction 0.1 on ram smooth 0.05(m/s);";
     ARM.check(smooth, "r", 1e-13);
     // The band is that of the two creeps.
-    let source = |entry| ENGINE.found(entry, FRICTION, "q", None);
+    let searched = ENGINE.solver(FRICTION, "q", false);
+    let source = |entry| ENGINE.found(&searched, entry, "q", None);
     let [backwards, forwards] = &source("holding")[..] else { panic!("there are two") };
     // The creep of the state is forwards.
     let creep = &source("statics")[0];

@@ -227,7 +227,7 @@ fn check(name: &str, source: &str, inputs: &[[f64; 3]]) -> Option<f64> {
     Some(check_rounding(name, &mechanism, &program, inputs))
 }
 
-/// Every fourth variant; `.ci/nightly` takes all of them.
+/// Every fourth variant; `.ci/nightly` takes all of them, and random topologies.
 #[test]
 fn variants_move_as_their_efforts_say() {
     assert!(count_of_variants(4) > 5);
@@ -248,22 +248,12 @@ fn count_of_variants(nth: usize) -> usize {
     checked.count()
 }
 
-/// One topology; `.ci/nightly` takes six.
-#[test]
-fn a_random_topology_moves_as_its_efforts_say() {
-    move_as_their_efforts_say(202..203);
-}
-
 #[test]
 #[ignore = "minutes: `.ci/nightly` takes it"]
 fn random_topologies_move_as_their_efforts_say() {
-    move_as_their_efforts_say(202..208);
-}
-
-fn move_as_their_efforts_say(seeds: std::ops::Range<u64>) {
     const POSE: [[f64; 3]; 2] = [[0.7, 1.3, -0.6], [0.41, -0.4, 0.9]];
     let mut worst = 0.0_f64;
-    for seed in seeds {
+    for seed in 202..208 {
         let (source, _) = random_mechanism(seed, &POSE);
         let rounding = check(&format!("seed {seed}"), &source, &POSE);
         worst = worst.max(rounding.expect("crank and slider move mass"));

@@ -11,9 +11,18 @@ const STEPS: usize = 12;
 /// One amount of x = c ‖G + A x‖, given the rows c, G, A of all and their first values; or the contact at which
 /// friction may hold itself.
 pub(super) fn solved<N: Number>(contacts: &Contacts, operands: &[&N]) -> Result<N, usize> {
+    all(contacts, of_equations(contacts, operands)).map(|mut all| all.swap_remove(contacts.at))
+}
+
+/// The operands without those of the proofs, which each amount has for itself.
+pub(super) fn of_equations<'o, T>(contacts: &Contacts, operands: &'o [T]) -> &'o [T] {
+    &operands[..operands.len() - contacts.proofs.of(operands).len()]
+}
+
+/// All amounts.
+pub(super) fn all<N: Number>(contacts: &Contacts, operands: &[&N]) -> Result<Vec<N>, usize> {
     let count = contacts.joints.len();
-    let of_equations = operands.len() - contacts.proofs.of(operands).len();
-    let (rows, starts) = operands[..of_equations].split_at(of_equations - count);
+    let (rows, starts) = operands.split_at(operands.len() - count);
     let rows: Vec<&[&N]> = rows.chunks(rows.len() / count).collect();
     if let Some(jams) = jams(contacts, &rows) {
         return Err(jams);
@@ -39,7 +48,7 @@ pub(super) fn solved<N: Number>(contacts: &Contacts, operands: &[&N]) -> Result<
         let steps = eliminated(matrix, right);
         amounts = amounts.iter().zip(steps).map(|(x, step)| x.add(&step).point()).collect();
     }
-    Ok(amounts.swap_remove(contacts.at))
+    Ok(amounts)
 }
 
 /// The first contact whose pivot of I − L is not positive, L being c ‖A‖.

@@ -162,17 +162,17 @@ impl<'k, 's> Matrix<'k, 's> {
             })
             .collect();
         for k in 0..n {
-            let size = |row: &usize| rows[*row][k].to_f64().abs();
-            let pivot = (k..n).max_by(|a, b| size(a).total_cmp(&size(b))).expect("rows are left");
+            let sizes = (k..n).map(|row| (row, rows[row][k].to_f64().abs()));
+            let largest = sizes.max_by(|(_, a), (_, b)| a.total_cmp(b));
+            let (pivot, _) = largest.expect("rows are left");
             rows.swap(k, pivot);
             let (above, below) = rows.split_at_mut(k + 1);
             let top = &above[k];
+            let filled: Vec<usize> = (k..=n).filter(|&j| top[j].to_f64() != 0.0).collect();
             for row in below.iter_mut().filter(|row| row[k].to_f64() != 0.0) {
                 let factor = row[k].div(&top[k]);
-                for j in k..=n {
-                    if top[j].to_f64() != 0.0 {
-                        row[j] = row[j].sub(&factor.mul(&top[j]));
-                    }
+                for &j in &filled {
+                    row[j] = row[j].sub(&factor.mul(&top[j]));
                 }
             }
         }
