@@ -14,30 +14,30 @@ struct Counts {
     following: usize,
 }
 
-/// The groups of every machine, and its documentation; the poses of every machine of dyads and of every nth that
-/// searches.
+/// Every machine of dyads, and every nth that searches: its groups and its documentation. The poses of all dyads, and of
+/// every third of the others.
 fn asked(nth: usize) -> Counts {
     let mut counts = Counts::default();
     for case in cases() {
-        let found = machine(&case.declaration());
-        let mechanism = found.as_ref().map(|machine| &machine.mechanism);
-        textbook::the_groups_are_those_expected(&case, mechanism);
-        let Ok(machine) = found else { continue };
-        textbook::the_documentation_compiles_as_it_stands(&machine.mechanism);
-        if machine.mechanism.unknowns.is_empty() {
-            counts.dyads += 1;
-        } else {
+        if case.expected[0].starts_with("group") {
             counts.searched += 1;
             if counts.searched % nth != 0 {
                 continue;
             }
         }
+        let found = machine(&case.declaration());
+        let mechanism = found.as_ref().map(|machine| &machine.mechanism);
+        textbook::the_groups_are_those_expected(&case, mechanism);
+        let Ok(machine) = found else { continue };
+        textbook::the_documentation_compiles_as_it_stands(&machine.mechanism);
+        let searches = !machine.mechanism.unknowns.is_empty();
+        counts.dyads += usize::from(!searches);
+        if searches && nth > 1 && counts.searched % (3 * nth) != 0 {
+            continue;
+        }
         let name = case.name;
         counts.poses += poses::single_precision_stands_where_it_is_drawn(name, &machine);
-        // In a hundred digits a search takes a second.
-        if machine.mechanism.unknowns.is_empty() || counts.searched % (2 * nth) == 0 || nth == 1 {
-            poses::every_pin_is_where_it_is_drawn_and_every_body_stays_rigid(name, &machine);
-        }
+        poses::every_pin_is_where_it_is_drawn_and_every_body_stays_rigid(name, &machine);
         let follows = following::all_of_the_stretch_is_solved(name, &machine);
         counts.following += usize::from(follows);
     }
@@ -46,11 +46,11 @@ fn asked(nth: usize) -> Counts {
     counts
 }
 
-/// Of machines that search, the poses of every fifth; `.ci/nightly` asks all of them.
+/// Of machines that search, the groups of every second and the poses of every sixth; `.ci/nightly` asks all of them.
 #[test]
 fn machines_have_the_groups_and_poses_that_are_drawn() {
-    let counts = asked(5);
-    assert!(counts.poses > 260 && counts.following > 1, "{counts:?}");
+    let counts = asked(2);
+    assert!(counts.poses > 250 && counts.following > 1, "{counts:?}");
 }
 
 #[test]

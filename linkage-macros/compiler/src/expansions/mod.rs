@@ -111,7 +111,7 @@ impl Hashes {
 /// The declarations of which everything is looked at.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Share {
-    /// Every variant, and of the others a fifth, by their own tokens.
+    /// Every variant, and of the others an eighth, by their own tokens.
     Sample,
     Whole,
 }
@@ -119,7 +119,7 @@ enum Share {
 impl Share {
     fn includes(self, (name, source): &Key) -> bool {
         let number = || u64::from_str_radix(source, 16).expect("a hash is a number");
-        self == Self::Whole || name.starts_with("variant: ") || number() % 5 == 0
+        self == Self::Whole || name.starts_with("variant: ") || number() % 8 == 0
     }
 
     /// The expansions of all declarations, none of those that are not included.
@@ -191,7 +191,7 @@ fn differences(
     found
 }
 
-/// Every variant and a fifth of the other declarations; `.ci/nightly` asks all of them.
+/// Every variant and an eighth of the other declarations; `.ci/nightly` asks all of them.
 #[test]
 fn no_declaration_expands_to_other_code_than_before() {
     let messages = messages_of_slips();
@@ -207,7 +207,7 @@ fn no_declaration_expands_to_other_code_than_before() {
 fn no_declaration_at_all_expands_to_other_code_than_before() {
     let all = Share::Whole.expanded();
     assert_kept(&all, &messages_of_slips());
-    assert!(scripts::all_call_what_is_defined(&all) > 300);
+    scripts::assert_whole(&all);
 }
 
 fn assert_kept(made: &BTreeMap<Key, Option<Expansion>>, messages: &[String]) {
