@@ -21,7 +21,6 @@ use crate::model::mechanism::{
 };
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::passes;
-use topologies::random_mechanism;
 
 /// The declaration with mass on every link and pin, and with forces and torques everywhere.
 pub(crate) fn loaded(source: &str) -> String {
@@ -390,28 +389,4 @@ fn a_sought_coordinate_takes_what_acts_inside_its_body() {
     assert!(source.contains("between B and T"), "{source}");
     let inputs = [[0.7, 1.3, -0.6], [0.71, -0.4, 0.9]];
     compare("sought", &source, &inputs, [Against::Power], false);
-}
-
-const POSE: [[f64; 3]; 2] = [[0.7, 1.3, -0.6], [0.41, -0.4, 0.9]];
-
-/// Two topologies; `.ci/nightly` takes eleven.
-#[test]
-fn two_topologies_agree_with_newton_and_euler() {
-    assert!(statements_that_agree([0, 100]) > 8);
-}
-
-#[test]
-#[ignore = "minutes: `.ci/nightly` takes it"]
-fn random_topologies_agree_with_newton_and_euler() {
-    assert!(statements_that_agree((0..8).chain(100..103)) > 60);
-}
-
-fn statements_that_agree(seeds: impl IntoIterator<Item = u64>) -> usize {
-    let mut statements = 0;
-    for seed in seeds {
-        let (source, count) = random_mechanism(seed, &POSE);
-        check(&format!("seed {seed}"), &source, &POSE);
-        statements += count;
-    }
-    statements
 }

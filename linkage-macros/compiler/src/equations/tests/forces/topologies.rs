@@ -1,6 +1,6 @@
 //! Random mechanisms: every driver and group on whatever stands before it.
 
-use super::loaded;
+use super::{check, loaded};
 use crate::diagnostics::Diagnostics;
 use crate::ir::interpret::{ProgramValues, interpret};
 use crate::{equations, model, passes, syntax};
@@ -210,4 +210,28 @@ pub(in crate::equations::tests) fn random_mechanism(
     // A mass at a place that reads an earlier link.
     topology.text += "mass 0.7 on AB at (0.1 + 0.3 * ram.slide, -0.2 * ram.slide) inertia 0.02;";
     (loaded(&format!("struct M {{ {} }}", topology.text)), statements)
+}
+
+const POSE: [[f64; 3]; 2] = [[0.7, 1.3, -0.6], [0.41, -0.4, 0.9]];
+
+/// Two topologies; `.ci/nightly` takes eleven.
+#[test]
+fn two_topologies_agree_with_newton_and_euler() {
+    assert!(statements_that_agree([0, 100]) > 8);
+}
+
+#[test]
+#[ignore = "minutes: `.ci/nightly` takes it"]
+fn random_topologies_agree_with_newton_and_euler() {
+    assert!(statements_that_agree((0..8).chain(100..103)) > 60);
+}
+
+fn statements_that_agree(seeds: impl IntoIterator<Item = u64>) -> usize {
+    let mut statements = 0;
+    for seed in seeds {
+        let (source, count) = random_mechanism(seed, &POSE);
+        check(&format!("seed {seed}"), &source, &POSE);
+        statements += count;
+    }
+    statements
 }
