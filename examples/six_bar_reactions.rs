@@ -5,7 +5,7 @@
 //! Crank 0.4 m at 10 rad/s, an RPR group with a rod of 1.6 m about a pivot 1 m below, and an RPP group
 //! whose yoke runs on a rail 0.8 m above. Masses of crank, block and rod are those of a course work on
 //! mechanism dynamics; those of slider and yoke are cut off in its text, and invented here. The text's own
-//! twelve numbers, without them, are held by `cargo test --test forces published`.
+//! twelve numbers, without them, are held by `cargo test --test dynamics published`.
 
 use std::f64::consts::TAU;
 

@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::build::{PACKAGE, library, sources, text};
+use super::build::{PACKAGE, library, sources, text};
 
 /// The optimisation levels at which a bare library is compiled.
 const LEVELS: [&str; 5] = ["1", "2", ALL, "s", "z"];
@@ -139,7 +139,13 @@ fn places_that_panic(library: &Path) -> Vec<String> {
 }
 
 #[test]
-#[ignore = "release builds of all solvers: `.ci/run` makes them"]
+#[ignore = "a release build of all solvers: `.ci/run` makes it"]
+fn solvers_stand_alone_at_level_3() {
+    prove("3");
+}
+
+#[test]
+#[ignore = "release builds of all solvers: `.ci/nightly` makes them"]
 fn solvers_stand_alone_at_every_optimisation_level() {
     for level in LEVELS {
         prove(level);
@@ -152,18 +158,28 @@ fn linked(control: &str, level: &str) -> Result<(), String> {
     link_alone(&library, control, &[control]).map(drop)
 }
 
+fn a_reachable_panic_is_caught(level: &str) {
+    assert_eq!(linked("control_sound", level), Ok(()));
+    let error = linked("control_indexing", level).expect_err("an index may be out of range");
+    assert!(error.contains("a_panic_is_reachable"), "-O{level}: {error}");
+}
+
 #[test]
-#[ignore = "release builds of all solvers: `.ci/run` makes them"]
+#[ignore = "a release build of all solvers: `.ci/run` makes it"]
+fn a_reachable_panic_is_caught_at_level_3() {
+    a_reachable_panic_is_caught("3");
+}
+
+#[test]
+#[ignore = "release builds of all solvers: `.ci/nightly` makes them"]
 fn a_reachable_panic_is_caught_at_every_optimisation_level() {
     for level in LEVELS {
-        assert_eq!(linked("control_sound", level), Ok(()));
-        let error = linked("control_indexing", level).expect_err("an index may be out of range");
-        assert!(error.contains("a_panic_is_reachable"), "-O{level}: {error}");
+        a_reachable_panic_is_caught(level);
     }
 }
 
 #[test]
-#[ignore = "release builds of all solvers: `.ci/run` makes them"]
+#[ignore = "release builds of all solvers: `.ci/nightly` makes them"]
 fn the_heap_is_caught() {
     let error = library("boxing", "3").expect_err("there is no allocator");
     assert!(error.contains("no global memory allocator found"), "{error}");
@@ -172,7 +188,7 @@ fn the_heap_is_caught() {
 }
 
 #[test]
-#[ignore = "release builds of all solvers: `.ci/run` makes them"]
+#[ignore = "release builds of all solvers: `.ci/nightly` makes them"]
 fn the_standard_library_is_caught() {
     let error = library("printing", "3").expect_err("there are two panic handlers");
     assert!(error.contains("panic_impl") && error.contains("std"), "{error}");

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 
-use crate::build::{directory, library, sources, text};
-use crate::mechanisms::{
+use super::build::{directory, library, sources, text};
+use super::mechanisms::{
     self, Excavator, FlyingShear, HeavyPress, HeavyRobot, SearchedPress, TunedFourBar, WattSixBar,
 };
 use linkage_core::{Side, SolveError};
@@ -244,7 +244,7 @@ fn expected() -> String {
 }
 
 #[test]
-#[ignore = "release builds of all solvers: `.ci/run` makes them"]
+#[ignore = "release builds of all solvers: `.ci/nightly` makes them"]
 fn c_and_rust_compute_the_same_bits() {
     let library = library("all", "3").unwrap_or_else(|error| panic!("{error}"));
     let output = run_c(&library, &sources().join("caller.c"));

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-use crate::build::{self, directory, library, sources, text};
-use crate::c_harness;
+use super::build::{self, directory, library, sources, text};
+use super::c_harness;
 
 /// A folder with the printed C of all mechanisms of a file.
 fn printed(name: &str, source: &Path) -> PathBuf {
@@ -168,7 +168,7 @@ fn listed(limits: &[(&str, &[&str])]) -> BTreeMap<String, Vec<String>> {
 }
 
 #[test]
-#[ignore = "a release build of all solvers: `.ci/run` makes it"]
+#[ignore = "a release build of all solvers: `.ci/nightly` makes it"]
 fn printed_c_is_the_library() {
     let folder = printed("printed", &sources().join("mechanisms.rs"));
     let lines = printed_is_the_library(&folder, &[]);
@@ -188,7 +188,7 @@ fn printed_c_is_the_library() {
 
 /// Also of the mechanisms whose joints rub, at rest and in motion, from no friction to joints that jam.
 #[test]
-#[ignore = "a release build of all solvers: `.ci/run` makes it"]
+#[ignore = "a release build of all solvers: `.ci/nightly` makes it"]
 fn printed_friction_is_the_library() {
     let folder = printed("printed_friction", &build::rubbing());
     let lines = printed_is_the_library(&folder, &["-DRUBS"]);

@@ -3,7 +3,7 @@
 use linkage_core::SolveError;
 use linkage_tests::mechanisms::friction::*;
 
-use crate::table::{CRANKS, FOUR_BARS};
+use super::table::{CRANKS, FOUR_BARS};
 
 /// Reactions are sums of some thirty products and quotients, each within an ε of itself: of the largest reaction
 /// that is 10⁻¹³ at most. Amounts add 4ε/(1 − ρ) with ρ below a half.

@@ -1,7 +1,7 @@
 //! Random machines in both widths, with coefficients from none to far beyond what jams: a number or a refusal.
 //!
 //! The ordinary run makes 20,000 calls of each kind. `LINKAGE_FRICTION=1000000 cargo test --release -p linkage-tests
-//! --test friction draws -- --nocapture` makes 10⁶.
+//! --test dynamics friction::draws -- --nocapture` makes 10⁶.
 
 use linkage_core::{Float, Record, SolveError};
 use linkage_tests::mechanisms::friction::*;

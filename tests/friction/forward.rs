@@ -5,7 +5,7 @@ use linkage_tests::mechanisms::friction::*;
 use linkage_tests::mechanisms::told::HalfSmooth;
 use linkage_tests::random::Random;
 
-use crate::table::{CRANKS_FORWARD, FOUR_BARS_FORWARD};
+use super::table::{CRANKS_FORWARD, FOUR_BARS_FORWARD};
 
 /// Second rates come from the mass matrix and from reactions, some fifty operations each, and from amounts that
 /// are right within 4ε/(1 − ρ), ρ below a half.

@@ -1,6 +1,6 @@
 //! Random four-bars and slider-cranks in both widths, against the full matrix of all bodies in double precision.
 //!
-//! `LINKAGE_FRICTION=10000 cargo test --release -p linkage-tests --test friction matrix` compares so many draws.
+//! `LINKAGE_FRICTION=10000 cargo test --release -p linkage-tests --test dynamics friction::matrix` compares so many draws.
 
 mod newton;
 

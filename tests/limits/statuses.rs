@@ -299,7 +299,7 @@ fn statuses_about_limits_are_the_kinds_of_single_calls() {
     statuses_are_the_kinds_of_single_calls::<f32>(120_000);
 }
 
-/// `cargo test --release -p linkage-tests --test limits -- --ignored ten_million`
+/// `cargo test --release -p linkage-tests --test reach -- --ignored ten_million`
 #[test]
 #[ignore = "takes a minute"]
 fn ten_million_statuses_are_the_kinds_of_single_calls() {

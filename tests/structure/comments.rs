@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use crate::sources::visit;
+use super::sources::visit;
 
 /// Comments that still begin so, most of them documentation of declared mechanisms. The number only gets
 /// lower.

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use syn::visit::{Visit, visit_item_mod};
 use syn::{ItemUse, UseTree, Visibility};
 
-use crate::sources::{Crate, crates};
+use super::sources::{Crate, crates};
 
 type Module = Vec<String>;
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use syn::visit::{Visit, visit_file, visit_impl_item_fn, visit_item_fn};
 use syn::{ImplItemFn, ItemFn, Signature};
 
-use crate::sources::{crates, visit};
+use super::sources::{crates, visit};
 
 /// Lines of a file.
 const FILE: usize = 400;

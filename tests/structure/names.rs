@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use syn::visit::{Visit, visit_item_enum, visit_item_struct, visit_item_trait, visit_item_type};
 use syn::{ItemEnum, ItemStruct, ItemTrait, ItemType};
 
-use crate::sources::crates;
+use super::sources::crates;
 
 /// Names of types and the files that define them, one entry a definition.
 #[derive(Default)]

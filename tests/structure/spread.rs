@@ -19,7 +19,7 @@ use syn::{
     Variant,
 };
 
-use crate::sources::crates;
+use super::sources::crates;
 
 /// The words of an identifier or a text, in small letters.
 fn words(text: &str) -> Vec<String> {

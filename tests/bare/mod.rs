@@ -1,5 +1,4 @@
 //! Solvers on a machine that has nothing, and called from C.
-#![cfg(target_os = "linux")]
 
 mod bare_metal;
 mod build;
