@@ -90,3 +90,18 @@ fn options_add_to_the_solver() {
     assert!(plain < length(false, false, true));
     assert_eq!(plain, length(false, true, false), "a page is made of what is drawn");
 }
+
+/// What the documentation of `compile`, `declarations` and `c` shows.
+#[test]
+fn examples_of_the_documentation_hold() {
+    let source = "mod arm { mechanism! { struct Arm { input t: angle; } } }";
+    let found = linkage_compiler::declarations(source.parse().expect("tokens"));
+    assert_eq!(found.len(), 1);
+    assert!(found[0].to_string().starts_with("struct Arm"));
+
+    let source = "pub struct Crank { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 2, angle: t } }";
+    let files =
+        linkage_compiler::c(source.parse().expect("tokens"), &["position"]).expect("no mistake");
+    assert_eq!(files[1].name, "crank.c");
+    assert!(files[1].text.contains("LinkageStatus crank_position("));
+}
