@@ -1,8 +1,9 @@
 //! Static solvers for planar mechanisms.
 //!
 //! A mechanism is declared by [`mechanism!`] the way it is built, a driver and then Assur groups of
-//! class II, and compiled to straight-line code for position, velocity and acceleration. This
-//! crate is what the generated code runs on: the numbers, the results, the errors.
+//! class II, and compiled to straight-line code for position, velocity and acceleration. Only unknowns,
+//! friction and a [`Tracker`] iterate. This crate is what the generated code runs on: the numbers, the
+//! results, the errors.
 //!
 //! **[The reference](crate::reference)** has [the language](reference::language),
 //! [what is generated](reference::solver) and [recipes](reference::recipes).
@@ -49,8 +50,8 @@
 //!   any output with respect to any input or parameter: `Dual`, `Dual2`, `Dual3`, `HyperDual`,
 //!   `HyperHyperDual`, the vector variants of fixed size, and dual numbers of dual numbers.
 //!
-//! Those that are single numbers, all but the lanes, are [`Real`]: they can decide, and their
-//! solvers return a `Result`.
+//! Those that are single numbers, all but the lanes, are [`Real`]: their comparisons are true or false,
+//! and their solvers return a `Result`.
 //!
 //! # Frames and signs
 //!
@@ -113,8 +114,8 @@
 //!   standard library and nothing else, and changes nothing of the solvers.
 //! - `page`: pages on which mechanisms are dragged; every solver has `page` then, and all of `sketch`.
 //!
-//! Without `ad` and `std` the crate is `no_std` and needs `libm` alone. It never allocates, and no
-//! solver panics.
+//! Without `ad`, `std`, `sketch` and `page` the crate is `no_std`, needs `libm` alone and never allocates.
+//! No solver panics. `sketch` and `page` allocate.
 //!
 //! # Precision and targets
 //!

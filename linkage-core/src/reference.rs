@@ -12,8 +12,8 @@
 //! | [`robots`] | closed loops between motors and joints, both ways |
 //! | [`measurements`] | accuracy, speed and size, with the commands that measure them |
 //!
-//! Whoever is new here reads [`language`] down to the table of statements, copies something from
-//! [`recipes`], and looks the rest up.
+//! Start with [`language`] down to the table of statements and copy a machine from [`recipes`]. Look the
+//! rest up.
 //!
 //! These modules hold documentation alone; the files are `docs/*.md` of the crate, whose links lead to
 //! each other there and, by the definitions that come first, to items here.
@@ -123,6 +123,7 @@ pub mod solver {
     //! [`range::limits`]: crate::range::limits()
     //! [`unwanted()`]: crate::unwanted
     //! [forces]: super::forces
+    //! [measurements]: super::measurements
     //!
     #![doc = include_str!("../docs/solver.md")]
 }

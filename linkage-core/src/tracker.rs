@@ -67,8 +67,8 @@ use crate::{Record, Scalar, SolveError};
 /// close to its limit, or ranges are too wide to tell, the step is followed in stretches of which
 /// everything can be proved, at most 16,384 of them; and as many again for each of eight poses around
 /// a change point from which the result is interpolated, or sixteen by [`follow`](Self::follow) (up to
-/// four times, where the motion does not go on so far or bends too much). This is the one place in this crate in which work is not the same at every
-/// call; there is no heap, and no panic.
+/// four times, where the motion does not go on so far or bends too much). So the work differs from call to
+/// call, as that of an unknown and of friction does; there is no heap, and no panic.
 ///
 /// # What is refused
 /// - A step on which the motion ends, even if there is a pose at its end: as `OutOfReach` or

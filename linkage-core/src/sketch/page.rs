@@ -57,8 +57,8 @@ use crate::Record;
 /// stays where the machine ends. Arrow keys move the input, with Shift ten times as far; space plays. The
 /// address holds the state, so that it can be sent. A length input needs a `range` or a `path`. Velocities,
 /// accelerations and forces are those at a constant rate of the input that curves are drawn over. The numbers
-/// are the solver's to the last bit, but for `tan`, `hypot` and angles beyond 2²⁰ rad, where browsers differ by a
-/// unit in the last place; on targets with fused operations the solver itself rounds otherwise. An `unknown` is
+/// are the solver's to the last bit, but for `tan`, `exp`, `ln`, `tanh` and `pow`: those are the browser's, whose
+/// last bits may differ. On targets with fused operations the solver itself rounds otherwise. An `unknown` is
 /// searched as the solver searches it.
 #[derive(Clone, Debug)]
 pub struct Page<S> {
