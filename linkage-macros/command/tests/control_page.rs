@@ -1,5 +1,8 @@
 //! The first page that a user of C reads, followed step by step: what it says is typed, and what it shows comes out.
 
+#[path = "../../../tests/skipped.rs"]
+mod skipped;
+
 use std::env;
 use std::fs;
 use std::path::Path;
@@ -20,7 +23,7 @@ fn blocks(page: &str) -> Vec<(&str, String)> {
 #[test]
 fn the_page_for_c_can_be_followed() {
     if Command::new("cc").arg("--version").output().is_err() {
-        return println!("skipped: no cc");
+        return skipped::skipped("the page for C: no cc");
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linkage-core/docs/control.md");
     let page = fs::read_to_string(root).expect("the page is there");

@@ -1,5 +1,8 @@
 //! FMUs: FMPy validates them and simulates them, and its numbers are those of the solver in Rust.
 
+#[path = "../../../tests/skipped.rs"]
+mod skipped;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -25,7 +28,7 @@ fn simulated(fmu: &Path, mode: &str) -> Option<Vec<Vec<String>>> {
     let python = std::env::var("LINKAGE_PYTHON").unwrap_or_else(|_| "python3".to_string());
     let has_fmpy = Command::new(&python).args(["-c", "import fmpy"]).output();
     if !has_fmpy.is_ok_and(|output| output.status.success()) {
-        println!("skipped: {python} has no fmpy");
+        skipped::skipped("models validated and simulated: no fmpy");
         return None;
     }
     let output = Command::new(python)
@@ -176,8 +179,7 @@ fn is_called(name: &str, flags: &[&str]) {
         .current_dir(&folder)
         .output();
     let Ok(compiled) = compiled else {
-        println!("skipped: there is no `cc`");
-        return;
+        return skipped::skipped("models called by a program in C: no cc");
     };
     assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
     let output = Command::new(folder.join("caller")).output().expect("it starts");

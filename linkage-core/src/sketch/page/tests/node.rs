@@ -6,6 +6,9 @@ use std::process::Command;
 use std::string::String;
 use std::sync::atomic::{AtomicU32, Ordering};
 
+#[path = "../../../../../tests/skipped.rs"]
+mod skipped;
+
 /// The answer of a script.
 pub(super) struct Output {
     pub is_success: bool,
@@ -19,7 +22,7 @@ pub(super) fn run(script: &str, content: &str) -> Option<Output> {
     let is_there = Command::new("node").arg("--version").output().is_ok();
     if !is_there {
         assert!(std::env::var_os("LINKAGE_NODE").is_none(), "node is required");
-        std::eprintln!("skipped: no node");
+        skipped::skipped("what the script of a page computes: no node");
         return None;
     }
     let unique = format!("linkage_{}_{}", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
