@@ -104,7 +104,7 @@ conditions! {
     #[diagnostic::on_unimplemented(
         message = "this needs the feature `sketch` of `linkage-core`",
         label = "draws the mechanism",
-        note = "enable it: `cargo add linkage-core --features sketch`"
+        note = "enable it where Cargo.toml names `linkage-core`: `features = [\"sketch\"]`"
     )]
     HasDrawings
 }
@@ -115,7 +115,7 @@ conditions! {
     #[diagnostic::on_unimplemented(
         message = "this needs the feature `page` of `linkage-core`",
         label = "writes a page on which the mechanism is dragged",
-        note = "enable it: `cargo add linkage-core --features page`"
+        note = "enable it where Cargo.toml names `linkage-core`: `features = [\"page\"]`"
     )]
     HasPages
 }
