@@ -1,6 +1,12 @@
 //! Random numbers that are the same in every run.
 #![allow(dead_code, reason = "each user draws the kind of number that it needs")]
 
+/// The number of cases that a test draws: `plain` in an ordinary run, and `whole` where the environment variable
+/// `LINKAGE_WHOLE` is set, as `.ci/nightly` sets it. A count that a test asserts is a share of this number.
+pub fn cases(plain: usize, whole: usize) -> usize {
+    if std::env::var_os("LINKAGE_WHOLE").is_some() { whole } else { plain }
+}
+
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
 pub struct Random {
     state: u64,

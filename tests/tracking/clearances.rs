@@ -7,7 +7,7 @@ use linkage_core::{Real, Record, mechanism};
 use linkage_tests::mechanisms::change_points::*;
 use linkage_tests::mechanisms::compensated::ConstantRrp;
 use linkage_tests::mechanisms::twins::*;
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 use num_dual::Dual2_64;
 
 mechanism! {
@@ -145,10 +145,11 @@ fn rates_are_those_of_dual_numbers() {
     }
 }
 
+/// A sample of the stretches of `.ci/nightly`.
 #[test]
 fn ranges_hold_the_values_between() {
     let (mut random, mut known, mut asked) = (Random::new(72), 0, 0);
-    for _ in 0..300 {
+    for _ in 0..cases(120, 300) {
         let stretch = inputs(&mut random);
         macro_rules! check {
             ($solver:ident, $of:expr) => {

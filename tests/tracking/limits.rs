@@ -4,6 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 use linkage_core::{Float, Sense, Side, SolveError, Tracker};
 use linkage_tests::mechanisms::change_points::*;
 use linkage_tests::mechanisms::scaled_change_points::*;
+use linkage_tests::random::cases;
 
 /// 92° from one side of the change point at 0 to the other.
 #[test]
@@ -65,6 +66,12 @@ fn a_first_pose_is_a_number_or_an_error() {
     }
 }
 
+/// The places of a walk of two turns. Steps of half a degree make one turn, which passes both change points, and
+/// both turns in `.ci/nightly`.
+fn places(step: f64) -> u32 {
+    ((720.0 / step) as u32).min(cases(720, 1440) as u32)
+}
+
 /// A parallelogram at a ground of 1000.1, whose bars miss the change point by a part in 10¹⁴ …
 /// 10⁻⁹ either way, turns through it as one does.
 #[test]
@@ -75,7 +82,7 @@ fn a_change_point_missed_by_less_than_counts_is_one() {
                 let base = 2.0 * unit * (1.0 + misfit);
                 let solver = ScaledPairs { unit, base, ..ScaledPairs::new() };
                 let mut tracker = Tracker::new(solver);
-                for i in 0..((720.0 / step) as u32) {
+                for i in 0..places(step) {
                     let theta = (20.0 + step * f64::from(i)).to_radians();
                     let m = tracker.motion(theta, 1.0, 0.0).unwrap_or_else(|error| {
                         panic!("× {unit:e} misfit {misfit:e} step {step}: {theta}: {error}")
@@ -100,7 +107,7 @@ fn two_change_points_missed_by_less_than_counts_are_passed_at_once() {
         for step in [0.5_f64, 7.0, 33.0, 91.0, 180.0] {
             let [first, second] = grounds;
             let mut tracker = Tracker::new(TwoGrounds { first, second, ..TwoGrounds::new() });
-            for i in 0..((720.0 / step) as u32) {
+            for i in 0..places(step) {
                 let theta = (20.0 + step * f64::from(i)).to_radians();
                 let m = tracker
                     .motion(theta, 1.0, 0.0)

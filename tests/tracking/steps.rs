@@ -1,21 +1,20 @@
 //! One long step against many short ones: whatever the step, a tracker arrives on the branch to
 //! which the motion leads.
 //!
-//! A walk of half a degree a step is stored with the solver at every sample. From any sample a
-//! fresh tracker goes to any other within 180° in one step and has to find what the walk found.
+//! A walk of two degrees a step, and of half a degree where `.ci/nightly` runs all cases, is stored with the
+//! solver at every sample. From any sample a fresh tracker goes to any other within 180° in one step and has
+//! to find what the walk found.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use linkage_core::{Float, Real, Side, SolveError, Tracker};
 use linkage_tests::mechanisms::scaled_change_points::*;
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 use linkage_tests::widths::number;
 
-/// Half a degree.
-const STEP: f64 = PI / 360.0;
-/// Steps in half a turn.
-const HALF_TURN: usize = 360;
-/// Samples of a walk of two turns, which passes every change point several times.
-const SAMPLES: usize = 4 * HALF_TURN;
+/// Steps in half a turn, and so many that a quarter of a turn has a whole number of them.
+fn half_turn() -> usize {
+    cases(90, 360)
+}
 
 /// Cosine, sine and angular velocity of a link; a pin and its velocity in units of length.
 type Row = [f64; 7];
@@ -97,10 +96,11 @@ fn differ(a: &Row, b: &Row, by: f64) -> bool {
     !a.iter().zip(b).all(|(a, b)| (a - b).abs() <= by * b.abs().max(1.0))
 }
 
-fn walk<S: Stepped>(unit: f64, from: f64) -> Vec<Sample<S>> {
+/// A walk of two turns, which passes every change point several times.
+fn walk<S: Stepped>(unit: f64, step: f64, from: f64) -> Vec<Sample<S>> {
     let mut tracker = S::of_size(unit).tracker();
     let sample = |i: usize| {
-        let theta = from + STEP * i as f64;
+        let theta = from + step * i as f64;
         let row = S::step(&mut tracker, theta, unit).unwrap_or_else(|error| {
             panic!("{} × {unit:e} from {from} at {theta}: {error}", S::NAME)
         });
@@ -108,7 +108,7 @@ fn walk<S: Stepped>(unit: f64, from: f64) -> Vec<Sample<S>> {
         let is_sure = off.min(FRAC_PI_2 - off) > from_change_points::<S>();
         Sample { theta, row, solver: is_sure.then_some(S::solver(&tracker)) }
     };
-    (0..SAMPLES).map(sample).collect()
+    (0..4 * half_turn()).map(sample).collect()
 }
 
 /// A number below the end.
@@ -121,26 +121,27 @@ fn below(random: &mut Random, end: usize) -> usize {
 /// Gives how many were compared, and how many of them refused.
 fn compare<S: Stepped>(unit: f64, pairs: usize, random: &mut Random) -> [usize; 2] {
     let (mut refused, mut compared) = (0, 0);
-    let walks = 1 + pairs / 100;
+    let (walks, half_turn) = (1 + pairs / 100, half_turn());
+    let step = PI / half_turn as f64;
     for turn in 0..walks {
         // The samples of some walks fall on change points, which all lie at multiples of a quarter
         // turn.
         let on_change_points = if walks == 1 { below(random, 2) == 0 } else { turn == 0 };
-        let from = STEP * if on_change_points { 7.0 } else { random.anywhere(7.0, 8.0) };
-        let walk = walk::<S>(unit, from);
+        let from = step * if on_change_points { 7.0 } else { random.anywhere(7.0, 8.0) };
+        let walk = walk::<S>(unit, step, from);
         for _ in 0..pairs.div_ceil(walks) {
             let length = match below(random, 10) {
-                0 => HALF_TURN,
-                _ => 1 + below(random, HALF_TURN),
+                0 => half_turn,
+                _ => 1 + below(random, half_turn),
             };
-            let lower = below(random, SAMPLES - length);
+            let lower = below(random, walk.len() - length);
             let ends = [lower, lower + length];
             let [begin, end] = if below(random, 2) == 0 { ends } else { [ends[1], ends[0]] };
             let (begin, end) = (&walk[begin], &walk[end]);
             let Some(solver) = begin.solver else { continue };
             let mut tracker = solver.tracker();
             S::step(&mut tracker, begin.theta, unit).expect("the walk was there");
-            let degrees = length as f64 / 2.0;
+            let degrees = step.to_degrees() * length as f64;
             let step = format!(
                 "{} × {unit:e}, ε = {:e}, {} to {} ({degrees}°)",
                 S::NAME,
@@ -212,13 +213,13 @@ impl<T: Float> Stepped for Anti<T> {
     }
 }
 
-/// Some five hundred pairs of all mechanisms, sizes and widths together in an ordinary run, and a hundred
+/// Some five hundred pairs (twins take the longest and have few) of all mechanisms, sizes and widths together in an ordinary run, and a hundred
 /// thousand of each mechanism where they are asked for.
 macro_rules! steps {
-    ($($name:ident, $all:ident: $solver:ident;)*) => {$(
+    ($($name:ident, $all:ident: $solver:ident $pairs:expr;)*) => {$(
         #[test]
         fn $name() {
-            all_sizes::<$solver<f64>, $solver<f32>>(20);
+            all_sizes::<$solver<f64>, $solver<f32>>($pairs);
         }
 
         #[test]
@@ -230,13 +231,13 @@ macro_rules! steps {
 }
 
 steps! {
-    a_parallelogram_steps, a_parallelogram_steps_everywhere: ScaledPairs;
-    an_antiparallelogram_steps, an_antiparallelogram_steps_everywhere: Anti;
-    a_four_bar_steps, a_four_bar_steps_everywhere: ScaledFourBar;
-    a_slider_crank_steps, a_slider_crank_steps_everywhere: ScaledSliderCrank;
-    a_kite_steps, a_kite_steps_everywhere: ScaledKite;
-    a_block_over_its_pivot_steps, a_block_over_its_pivot_steps_everywhere: ScaledPivot;
-    a_block_with_an_offset_steps, a_block_with_an_offset_steps_everywhere: ScaledOffset;
-    a_chain_steps, a_chain_steps_everywhere: ScaledChain;
-    twins_step, twins_step_everywhere: ScaledTwins;
+    a_parallelogram_steps, a_parallelogram_steps_everywhere: ScaledPairs 20;
+    an_antiparallelogram_steps, an_antiparallelogram_steps_everywhere: Anti 20;
+    a_four_bar_steps, a_four_bar_steps_everywhere: ScaledFourBar 20;
+    a_slider_crank_steps, a_slider_crank_steps_everywhere: ScaledSliderCrank 20;
+    a_kite_steps, a_kite_steps_everywhere: ScaledKite 20;
+    a_block_over_its_pivot_steps, a_block_over_its_pivot_steps_everywhere: ScaledPivot 20;
+    a_block_with_an_offset_steps, a_block_with_an_offset_steps_everywhere: ScaledOffset 20;
+    a_chain_steps, a_chain_steps_everywhere: ScaledChain 20;
+    twins_step, twins_step_everywhere: ScaledTwins cases(12, 20);
 }

@@ -8,6 +8,7 @@
 use linkage_core::private::Solver;
 use linkage_core::{Direction, Float, Real, Record, Side, Tracker, mechanism};
 use linkage_tests::mechanisms::scaled_change_points::{ScaledPairs, ScaledPairsMotion, TwoGrounds};
+use linkage_tests::random::cases;
 
 mechanism! {
     /// Two parallelograms on one input: the second crank turns three times as fast, and passes its
@@ -169,7 +170,8 @@ fn a_change_point_behind_the_end_of_a_step_is_left_to_the_next_step() {
 /// A parallelogram's rocker turns as its crank does, without an acceleration, however close to the change
 /// point a walk of small steps comes. From the solver's own formulas its second rate is off by some ε/w³ at
 /// w from it, and below `near` = ½ w² of the scale it is interpolated. Forty ε are for the roundings of
-/// some ten operations, and for the weights of eight nodes.
+/// some ten operations, and for the weights of eight nodes. The walk is by 25ths of the distance, and by hundredths
+/// in `.ci/nightly`.
 fn accelerations<T: Float>(near: f64) -> f64 {
     let width = angle(near);
     let allowed = 40.0 * T::EPSILON / width.powi(3);
@@ -178,7 +180,8 @@ fn accelerations<T: Float>(near: f64) -> f64 {
         let solver = ScaledPairs::<T>::default();
         let elbow = if sign > 0.0 { solver.elbow } else { solver.elbow.flipped() };
         let mut tracker = Tracker::new(ScaledPairs { elbow, ..solver });
-        // By hundredths of the distance, from far away to as near as rounding lets it.
+        // By parts of the distance, from far away to as near as rounding lets it.
+        let shrunk = 1.0 - 1.0 / cases(25, 100) as f64;
         let mut off = 8.0 * width;
         while off > 1e-3 * width {
             let motion =
@@ -186,7 +189,7 @@ fn accelerations<T: Float>(near: f64) -> f64 {
             let rocker = motion.expect("it turns").acceleration.DC.alpha.value();
             worst = worst.max(rocker.abs());
             assert!(rocker.abs() < allowed, "{off:e}: {rocker:e}, {allowed:e} allowed");
-            off *= 0.99;
+            off *= shrunk;
         }
     }
     worst / allowed
@@ -270,11 +273,14 @@ fn a_first_pose_next_to_a_change_point_has_the_modes_of_the_solver() {
 }
 
 /// Two parallelograms in a row pass their change points at once. A first pose next to them is clear of
-/// both, and the second crank's rates are made of the root of the first one's clearance.
+/// both, and the second crank's rates are made of the root of the first one's clearance. An ordinary run takes
+/// ten of the forty distances that `.ci/nightly` takes.
 fn first_poses_in_a_row<T: Float>(near: f64) {
     let width = angle(near);
     let least = angle(4.5 * root::<T>());
-    for off in (0..40).map(|nth| least + (0.97 * width - least) * f64::from(nth) / 39.0) {
+    let count = cases(10, 40);
+    let part = |nth: usize| nth as f64 / (count - 1) as f64;
+    for off in (0..count).map(|nth| least + (0.97 * width - least) * part(nth)) {
         for (side, mode) in [(1.0, Side::Left), (-1.0, Side::Right)] {
             for rate in [1.0, -1.0] {
                 let solver = TwoGrounds { elbow: mode, knee: mode, ..TwoGrounds::<T>::default() };
