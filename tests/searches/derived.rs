@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use linkage_core::SolveError;
 use linkage_tests::mechanisms::unknowns::RamAndFollower;
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 use num_dual::Dual64;
 
 fn kind<T>(answer: &Result<T, SolveError>) -> Option<std::mem::Discriminant<SolveError>> {
@@ -25,19 +25,20 @@ fn drawn(random: &mut Random) -> (RamAndFollower, [f64; 2]) {
 }
 
 /// Closed forms and dual numbers decide on the same numbers whether a slope differs from rounding alone: next
-/// to a dead point both refuse the derivatives, or neither.
+/// to a dead point both refuse the derivatives, or neither. A sample of the draws of `.ci/nightly`.
 #[test]
 fn derivatives_are_refused_alike_next_to_dead_points() {
     let mut random = Random::new(31);
     let mut singular = 0;
-    for _ in 0..20_000 {
+    let draws = cases(5000, 20_000);
+    for _ in 0..draws {
         let (solver, q) = drawn(&mut random);
         let (coefficients, jacobian) = (solver.coefficients(q), solver.jacobian(q));
         let both = (kind(&coefficients), kind(&jacobian));
         assert_eq!(both.0, both.1, "{solver:?} {q:?}: {coefficients:?} {jacobian:?}");
         singular += usize::from(matches!(jacobian, Err(SolveError::Singular { .. })));
     }
-    assert!(singular > 1000, "{singular}");
+    assert!(singular > draws / 20, "{singular}");
 }
 
 /// The root that carries derivatives is the root, to the last bit.

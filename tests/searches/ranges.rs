@@ -6,7 +6,7 @@ use linkage_core::range::{RangeError, Stop, Stretches, Turn, extrema, limits};
 use linkage_core::{Real, Side, SolveError};
 use linkage_tests::mechanisms::change_points::{FourOneTwoThree, Parallelogram, TurningKite};
 use linkage_tests::mechanisms::ranges::{Boom, Chain, FourBar, Geared, Guides, Telescope};
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 use num_dual::Dual64;
 
 const GROUP: &str = "BC, DC";
@@ -55,11 +55,12 @@ fn limits_of<T: Real>(stretches: &Stretches<T>) -> Vec<f64> {
     ends.filter(|end| end.stop == LIMIT).map(|end| end.at.value()).collect()
 }
 
+/// A sample of the four-bars of `.ci/nightly`.
 #[test]
 fn limits_of_random_four_bars() {
     let mut random = Random::new(11);
     let mut worst = 0.0_f64;
-    for _ in 0..2000 {
+    for _ in 0..cases(700, 2000) {
         let lengths = lengths(&mut random);
         let solver = four_bar(lengths);
         let expected = closed_form(lengths);
@@ -84,11 +85,12 @@ fn limits_of_random_four_bars() {
     assert!(worst <= 1e-14, "{worst:e}");
 }
 
+/// A sample of the four-bars of `.ci/nightly`.
 #[test]
 fn limits_of_random_four_bars_in_single_precision() {
     let mut random = Random::new(12);
     let mut worst = 0.0_f64;
-    for _ in 0..2000 {
+    for _ in 0..cases(700, 2000) {
         let lengths = [(); 4].map(|()| random.between(0.2, 2.0));
         let expected = closed_form(lengths);
         let solver = four_bar(lengths.map(|length| length as f32));
