@@ -3,7 +3,7 @@
 use linkage_core::SolveError;
 use linkage_tests::mechanisms::friction::*;
 use linkage_tests::mechanisms::told::HalfSmooth;
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 
 use super::table::{CRANKS_FORWARD, FOUR_BARS_FORWARD};
 
@@ -135,11 +135,12 @@ fn an_oscillator_comes_to_rest() {
     assert!(x.abs() <= band);
 }
 
-/// Whatever the coefficient, an answer is a number or a refusal.
+/// Whatever the coefficient, an answer is a number or a refusal: a sample of the draws of `.ci/nightly`.
 #[test]
 fn nothing_is_ever_no_number() {
     let (mut random, mut counts) = (Random::new(23), [0; 3]);
-    for nth in 0..20_000 {
+    let draws = cases(4000, 20_000);
+    for nth in 0..draws {
         let mu = 10.0_f64.powf(random.between(-3.0, 2.0));
         let press = RubbingPress { pins: mu, ways: mu, ..RubbingPress::new() };
         let rate = if nth % 5 == 0 { 0.0 } else { random.between(-9.0, 9.0) };
@@ -155,5 +156,5 @@ fn nothing_is_ever_no_number() {
             Err(error) => panic!("{error} at {q} {mu}"),
         }
     }
-    assert!(counts[0] > 5000 && counts[1] > 2000 && counts[2] > 0, "{counts:?}");
+    assert!(counts[0] > draws / 4 && counts[1] > draws / 10 && counts[2] > 0, "{counts:?}");
 }

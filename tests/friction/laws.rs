@@ -2,7 +2,7 @@
 
 use linkage_core::{Record, SolveError, Status};
 use linkage_tests::mechanisms::friction::*;
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 use num_dual::{Dual2_64, Dual64};
 
 /// Every kind of group, one draw of a state and of the friction.
@@ -69,11 +69,12 @@ fn power_is_kept() {
     assert!(solved > 1500, "{solved}");
 }
 
-/// Whatever the coefficient, an answer is a number or a refusal.
+/// Whatever the coefficient, an answer is a number or a refusal: a sample of the draws of `.ci/nightly`.
 #[test]
 fn nothing_is_ever_no_number() {
     let (mut random, mut counts) = (Random::new(7), [0; 3]);
-    for nth in 0..100_000 {
+    let draws = cases(10_000, 100_000);
+    for nth in 0..draws {
         // From none to far beyond what jams.
         let mu = 10.0_f64.powf(random.between(-3.0, 1.0));
         let (groups, [q, rate, accel, push]) = drawn(&mut random, mu);
@@ -92,7 +93,7 @@ fn nothing_is_ever_no_number() {
         };
         counts[kind] += 1;
     }
-    assert!(counts[0] > 20_000 && counts[1] > 20_000, "{counts:?}");
+    assert!(counts[..2].iter().all(|&count| count > draws / 5), "{counts:?}");
 }
 
 /// The fast path, lanes and the slow path are one function: a sweep gives the single answers.

@@ -5,7 +5,7 @@
 mod newton;
 
 use linkage_core::{Float, SolveError, mechanism};
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 use newton::{Acts, Bodies, Vector, carried, cross, minus, normal, parts, plus, rubbed, times};
 
 mechanism! {
@@ -102,9 +102,10 @@ impl Draw {
         }
     }
 
+    /// A sample in an ordinary run of what `.ci/nightly` draws whole.
     fn count() -> usize {
         let asked = std::env::var("LINKAGE_FRICTION").ok();
-        asked.map_or(1_000, |count| count.parse().expect("a whole number"))
+        asked.map_or(cases(300, 1000), |count| count.parse().expect("a whole number"))
     }
 }
 

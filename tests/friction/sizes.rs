@@ -2,7 +2,7 @@
 //! every number is the same but for its exponent.
 
 use linkage_core::{Float, Record, SolveError, Status, mechanism};
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 
 mechanism! {
     /// A six-bar of which `size` makes every length, and `force` and both together every load.
@@ -113,40 +113,47 @@ fn asked<T: Float>(random: &mut Random, [size, force]: [i32; 2]) -> Vec<Numbers>
     ]
 }
 
+/// All answers at these powers, the same draws at each.
+fn all<T: Float>(draws: usize, powers: [i32; 2]) -> Vec<Numbers> {
+    let mut random = Random::new(51);
+    (0..draws).flat_map(|_| asked::<T>(&mut random, powers)).collect()
+}
+
 /// Compares all answers at these powers with those at the size of one; the number of answers and of refusals.
-fn compare<T: Float>(powers: [i32; 2]) -> [usize; 2] {
+fn compare<T: Float>(draws: usize, at_one: &[Numbers], powers: [i32; 2]) -> [usize; 2] {
     let [size, force] = powers.map(|power| 2.0_f64.powi(power));
-    let [mut own, mut other] = [Random::new(51), Random::new(51)];
     let mut counts = [0; 2];
-    for _ in 0..100 {
-        let plain = asked::<T>(&mut own, [0, 0]);
-        for (plain, scaled) in plain.into_iter().zip(asked::<T>(&mut other, powers)) {
-            match (plain, scaled) {
-                (Ok((forces, couples)), Ok(scaled)) => {
-                    let forces: Vec<f64> = forces.iter().map(|x| x * force).collect();
-                    let couples: Vec<f64> = couples.iter().map(|x| x * force * size).collect();
-                    assert!(forces.iter().chain(&couples).all(|number| number.is_finite()));
-                    assert_eq!((forces, couples), scaled, "{powers:?}");
-                    counts[0] += 1;
-                }
-                (plain, scaled) => {
-                    let status =
-                        |found: Numbers| found.map_or_else(Status::from, |_| Status::Solved);
-                    assert_eq!(status(plain), status(scaled), "{powers:?}");
-                    counts[1] += 1;
-                }
+    for (plain, scaled) in at_one.iter().zip(all::<T>(draws, powers)) {
+        match (plain, scaled) {
+            (Ok((forces, couples)), Ok(scaled)) => {
+                let forces: Vec<f64> = forces.iter().map(|x| x * force).collect();
+                let couples: Vec<f64> = couples.iter().map(|x| x * force * size).collect();
+                assert!(forces.iter().chain(&couples).all(|number| number.is_finite()));
+                assert_eq!((forces, couples), scaled, "{powers:?}");
+                counts[0] += 1;
+            }
+            (plain, scaled) => {
+                let status = |found: Option<SolveError>| found.map_or(Status::Solved, Status::from);
+                let [plain, scaled] = [plain.as_ref().err().copied(), scaled.err()].map(status);
+                assert_eq!(plain, scaled, "{powers:?}");
+                counts[1] += 1;
             }
         }
     }
     counts
 }
 
+/// A sample of the draws of `.ci/nightly`, at every pair of powers.
 #[test]
 fn sizes_change_exponents_alone() {
+    let draws = cases(40, 100);
+    let (wide, narrow) = (all::<f64>(draws, [0, 0]), all::<f32>(draws, [0, 0]));
     for size in POWERS {
         for force in POWERS {
-            let counts = [compare::<f64>([size, force]), compare::<f32>([size, force])];
-            assert!(counts.as_flattened().iter().all(|count| *count > 100), "{counts:?}");
+            let powers = [size, force];
+            let counts =
+                [compare::<f64>(draws, &wide, powers), compare::<f32>(draws, &narrow, powers)];
+            assert!(counts.as_flattened().iter().all(|&count| count > draws), "{counts:?}");
         }
     }
 }
