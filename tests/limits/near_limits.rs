@@ -7,10 +7,13 @@ use linkage_tests::measured::families::{self, Family};
 use linkage_tests::measured::poses::Source;
 use linkage_tests::measured::{Measured, Pose, Width};
 use linkage_tests::mechanisms::near_limits::{CompensatedRrp, LevelRrp};
+use linkage_tests::random::cases;
 
 /// The count of poses of each family at each distance; without optimisation a measurement takes half a
-/// millisecond.
-const POSES: usize = if cfg!(debug_assertions) { 50 } else { 1000 };
+/// millisecond, and an ordinary run samples what `.ci/nightly` measures whole.
+fn poses() -> usize {
+    if cfg!(debug_assertions) { cases(16, 50) } else { 1000 }
+}
 
 /// The worst ratio of error to achievable error of position, velocity and acceleration over a
 /// family, at each distance; a point is one quantity. Where the data determine no answer, none is
@@ -24,7 +27,7 @@ fn ratios<const I: usize, const P: usize, const ROWS: usize>(
     let mut source = Source::new(7);
     let mut worst = [0.0_f64; 3];
     let mut count = 0;
-    for _ in 0..POSES {
+    for _ in 0..poses() {
         let Some(orders) = measure(&family(&mut source, gap).rounded(width), width) else {
             continue;
         };
@@ -47,7 +50,7 @@ macro_rules! assert_achieved {
                         ratios(families::$family, measured::$group::measure, width, gap);
                     println!("{width:?} {gap:5.0e} {count:4} {worst:5.2?}");
                     assert!(
-                        gap < 64.0 * width.half_unit() || count > POSES / 2,
+                        gap < 64.0 * width.half_unit() || count > poses() / 2,
                         "{gap:e}: {count}"
                     );
                     for order in 0..3 {
@@ -110,7 +113,7 @@ macro_rules! assert_any_size {
                 for exponent in -9..=9 {
                     let size = 10.0_f64.powi(exponent);
                     let mut source = Source::new(11);
-                    for _ in 0..POSES {
+                    for _ in 0..poses() {
                         let pose = families::$family(&mut source, $gap);
                         let pose = sized(pose, size, &$angles, &$params).rounded(width);
                         let orders = measured::$group::measure(&pose, width);

@@ -2,7 +2,7 @@
 //!
 //! The straight line asks inputs and divisors where bounds show that nothing overflows, and the
 //! results elsewhere. These poses lie on both sides of every bound, near limits and away from
-//! them, in both widths and with derivatives.
+//! them, in both widths and with derivatives: a sample of those of `.ci/nightly`.
 
 use linkage_core::Scalar;
 use linkage_core::num_dual::Dual;
@@ -12,7 +12,7 @@ use linkage_tests::mechanisms::single_groups::{
     CouplerFourBar, CrossedGuides, InclinedSliderCrank, ObliqueYoke, OffsetQuickReturn,
 };
 use linkage_tests::mechanisms::twins::ConstantDragLink;
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 
 /// The counts of poses, by the path that answered.
 #[derive(Default)]
@@ -51,7 +51,7 @@ fn any_angle(random: &mut Random) -> f64 {
 macro_rules! poses {
     ($answers:ident, $random:ident, $digits:literal, $t:ty, $of:expr, [$($mechanism:ident),*]) => {$(
         let solver = $mechanism::<$t>::default();
-        for _ in 0..4000 {
+        for _ in 0..cases(1200, 4000) {
             let theta = $of(any_angle(&mut $random));
             let [omega, alpha] = [(); 2].map(|()| $of(any_size(&mut $random, $digits)));
             let all_finite = |rows: &[&[$t]]| rows.concat().into_iter().all(Scalar::is_finite);

@@ -7,7 +7,7 @@ use linkage_core::{Float, Point, Series, Slide, SolveError, Status, unwanted};
 use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::statuses::*;
 use linkage_tests::mechanisms::unknowns::{Press, PressPosition};
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 use linkage_tests::widths::number;
 
 /// The status and the slide's rate of one pose of a sweep.
@@ -293,10 +293,12 @@ fn compensated_poses_at_their_limit_are_solved_in_sweeps<T: Float>() {
     assert_eq!(solved, 26);
 }
 
+/// An ordinary run samples a hundred machines of the five hundred of `.ci/nightly`.
 #[test]
 fn statuses_about_limits_are_the_kinds_of_single_calls() {
-    statuses_are_the_kinds_of_single_calls::<f64>(120_000);
-    statuses_are_the_kinds_of_single_calls::<f32>(120_000);
+    let poses = cases(24_000, 120_000);
+    statuses_are_the_kinds_of_single_calls::<f64>(poses);
+    statuses_are_the_kinds_of_single_calls::<f32>(poses);
 }
 
 /// `cargo test --release -p linkage-tests --test reach -- --ignored ten_million`
