@@ -26,14 +26,16 @@ use linkage_tests::conditioning::{
     shared,
 };
 use linkage_tests::mechanisms::differentiated::*;
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 use linkage_tests::tables::slopes::{self, Case, Slope};
 use num_dual::{Dual, Dual2, Dual3, DualNum, HyperDual};
 
 const ALLOWED: f64 = 16.0;
 
-/// Poses of each declaration in each width.
-const POSES: usize = if cfg!(debug_assertions) { 500 } else { 5000 };
+/// Poses of each declaration in each width, a sample of those of `.ci/nightly`.
+fn poses() -> usize {
+    if cfg!(debug_assertions) { cases(150, 500) } else { 5000 }
+}
 
 /// `f32` or `f64`; the states hold numbers that both do.
 trait Width: Real + DualNum {
@@ -85,7 +87,7 @@ fn differentiated_motion<M: Differentiated, F: Width>(at: &State<F>) -> Result<V
 fn motions_agree<M: Differentiated, F: Width>() {
     let rows = M::OUTPUTS.len();
     let mut worst = [Worst::default(); 3];
-    at_random_states::<M, F>(POSES, |state, at| {
+    at_random_states::<M, F>(poses(), |state, at| {
         let (formulas, duals) = (motion::<M, F>(at)?, differentiated_motion::<M, F>(at)?);
         let conditions = shared::<M>(conditions(state, |at| motion::<M, _>(at))?);
         for (place, (formula, dual)) in formulas.iter().zip(duals).enumerate() {
@@ -113,7 +115,7 @@ fn matrices_agree<M: Differentiated, F: Width>(
     conditions: impl Fn(&State<f64>) -> Result<Vec<f64>, SolveError>,
 ) {
     let mut worst = Worst::default();
-    at_random_states::<M, F>(POSES, |state, at| {
+    at_random_states::<M, F>(poses(), |state, at| {
         let (found, expected) = (columns(&found(at)?), columns(&expected(at)?));
         let conditions = shared::<M>(conditions(state)?);
         assert!(found.len() == expected.len() && found.len() == conditions.len());
@@ -209,7 +211,7 @@ fn higher_conditions<M: Differentiated>(at: &State<f64>) -> Result<[Vec<f64>; 2]
 /// number allows half as much again.
 fn higher_derivatives_agree<M: Differentiated>() {
     let mut worst = [Worst::default(); 2];
-    at_random_states::<M, f64>(POSES / 4, |state, at| {
+    at_random_states::<M, f64>(poses() / 4, |state, at| {
         let formulas = [mixed::<M, f64>(at)?, third::<M, f64>(at)?];
         let (duals, conditions) = (higher_derivatives::<M>(at)?, higher_conditions::<M>(at)?);
         for kind in 0..2 {

@@ -5,12 +5,12 @@
 //! one did not have the power of its rates (ros-controls/ros2_control, issue 1746 and pull request 1837).
 
 use linkage_core::{Side, mechanism};
-use linkage_tests::random::Random;
+use linkage_tests::random::{Random, cases};
 
 mechanism! {
     /// From the motors to the joints.
     pub struct FromMotors {
-        /// How far the knee is bent, and the angle of the second motor's arm, both against the thigh.
+        /// The bend of the knee, and the angle of the second motor's arm, both against the thigh.
         input knee, motor: angle;
         /// The torques that the joints put out.
         load at_knee, at_ankle: torque;
@@ -121,9 +121,10 @@ fn worst(count: u32) -> [f64; 3] {
     worst
 }
 
+/// A million poses in `.ci/nightly`, of which an ordinary run samples some.
 #[test]
-fn power_is_the_same_on_both_sides_of_an_ankle_in_a_million_poses() {
-    let [one, other, there_and_back] = worst(1_000_000);
+fn power_is_the_same_on_both_sides_of_an_ankle() {
+    let [one, other, there_and_back] = worst(cases(60_000, 1_000_000) as u32);
     println!("power {one:.2} ε and {other:.2} ε apart, angles {there_and_back:.1} ε");
     assert!(one <= 8.0 && other <= 8.0, "{one} {other}");
     // Angles of up to two radians are recovered over lengths of 0.4 m at a lever of 0.05 m.
