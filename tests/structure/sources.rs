@@ -1,18 +1,41 @@
 //! Production files, read as the compiler reads them: from each crate's root along its modules,
-//! without what is compiled for tests alone.
+//! without what is compiled for tests alone. They are parsed once for all tests.
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use syn::{Attribute, File, ImplItem, Item, Meta};
 
-/// The module behind a file.
+use super::imports::Imports;
+use super::lengths::long_functions;
+use super::names::types;
+use super::spread::{Said, said};
+
+/// The module behind a file, and the facts that tests look at: other threads cannot read the tree that they are
+/// found in.
 pub(crate) struct Source {
     /// Names from the crate's root, which has none.
     pub module: Vec<String>,
     /// The file's place in the repository.
     pub path: String,
-    pub file: File,
+    pub imports: Imports,
+    pub long_functions: Vec<String>,
+    pub types: Vec<String>,
+    pub said: Said,
+}
+
+impl Source {
+    fn new(module: &[String], path: String, file: &File) -> Self {
+        Self {
+            module: module.to_vec(),
+            path,
+            imports: Imports::of(module, file),
+            long_functions: long_functions(file),
+            types: types(file),
+            said: said(file),
+        }
+    }
 }
 
 /// A crate of the repository.
@@ -28,7 +51,12 @@ const FOLDERS: [(&str, &str); 3] = [
 ];
 
 /// Every published crate.
-pub(crate) fn crates() -> Vec<Crate> {
+pub(crate) fn crates() -> &'static [Crate] {
+    static CRATES: OnceLock<Vec<Crate>> = OnceLock::new();
+    CRATES.get_or_init(all_crates)
+}
+
+fn all_crates() -> Vec<Crate> {
     let repository =
         Path::new(&std::env::var("CARGO_MANIFEST_DIR").expect("cargo sets it")).join("..");
     let folders = FOLDERS.iter().filter(|(_, folder)| repository.join(folder).exists());
@@ -63,7 +91,7 @@ fn read(repository: &Path, path: &Path, folder: &Path, module: &[String], to: &m
     }
     let path = path.strip_prefix(repository).expect("the file is in the repository");
     let path = path.display().to_string();
-    to.push(Source { module: module.to_vec(), path, file });
+    to.push(Source::new(module, path, &file));
 }
 
 /// Drops what is compiled for tests alone.

@@ -38,15 +38,16 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// What a file says outside its docs.
+/// Names and texts outside the docs of a file.
 #[derive(Default)]
-struct Said {
+pub(crate) struct Said {
     names: BTreeSet<String>,
     texts: BTreeSet<String>,
     words: BTreeSet<Vec<String>>,
 }
 
-fn said(file: &File) -> Said {
+/// The names and texts of a file.
+pub(crate) fn said(file: &File) -> Said {
     let mut said = Said::default();
     said.visit_file(file);
     said
@@ -208,7 +209,7 @@ impl<'ast> Visit<'ast> for Said {
     }
 }
 
-/// How a fact is spelled.
+/// The spelling of a fact.
 #[derive(Clone, Copy, Debug)]
 enum Spelled {
     /// By these words, next to one another.
@@ -328,15 +329,12 @@ const KINDS: [Kind; 5] = [
 
 #[test]
 fn a_fact_stands_in_few_files() {
-    let sources = crates().into_iter().flat_map(|of| of.sources);
-    let files: Vec<(String, Said)> =
-        sources.map(|source| (source.path, said(&source.file))).collect();
+    let files: Vec<_> = crates().iter().flat_map(|of| &of.sources).collect();
     let mut spread = Vec::new();
     for Kind { name, aim, facts } in KINDS {
         for Fact { spelled, most } in facts {
-            let naming =
-                files.iter().filter(|(_, said)| spelled.iter().any(|&how| said.names(how)));
-            let naming: Vec<&str> = naming.map(|(path, _)| path.as_str()).collect();
+            let naming = files.iter().filter(|of| spelled.iter().any(|&how| of.said.names(how)));
+            let naming: Vec<&str> = naming.map(|of| of.path.as_str()).collect();
             let line =
                 format!("{name}: {spelled:?} in {} files, at most {most}, aim {aim}", naming.len());
             println!("{line}\n    {}", naming.join("\n    "));
