@@ -133,6 +133,8 @@ extern crate self as linkage_core;
 extern crate std;
 
 mod c_interface;
+#[cfg(test)]
+mod cases;
 mod chain_rule;
 mod checks;
 mod clearance;

@@ -7,6 +7,7 @@ use super::far_arguments::{FAR_ARGUMENTS, FAR_ARGUMENTS_F32};
 use super::hard_arguments::{HARD_ARGUMENTS, HardArgument};
 use super::{Fused, Fusion, NEAR_F32, NEAR_F64, Plain, sin_cos_f32, sin_cos_f64};
 use crate::Scalar;
+use crate::cases::cases;
 
 /// In units in the last place: a little above the largest errors seen, 0.79 and 0.84, so that a
 /// rounding too many shows, and below the one unit that is promised.
@@ -97,9 +98,10 @@ fn the_fast_kernel_is_the_other_where_nothing_is_fused() {
     }
 }
 
+/// A sample of the arguments of `.ci/nightly`.
 #[test]
 fn f64_keeps_its_bound_on_dense_sweeps() {
-    f64_keeps_its_bound(20_000);
+    f64_keeps_its_bound(cases(8000, 20_000) as u32);
 }
 
 #[test]
@@ -120,10 +122,11 @@ fn f64_keeps_its_bound(count: u32) {
     }
 }
 
+/// A sample of the arguments of `.ci/nightly`.
 #[test]
 fn f32_keeps_its_bound_on_dense_sweeps() {
-    // Every 1009th, a prime, of all numbers up to the limit.
-    f32_keeps_its_bound(1009);
+    // A part of all numbers up to the limit, by a prime.
+    f32_keeps_its_bound(cases(3001, 1009));
 }
 
 #[test]

@@ -3,17 +3,20 @@
 use std::vec::Vec;
 
 use super::*;
+use crate::cases::cases;
 use crate::kernels::double_word::{self, DoubleWord};
 use crate::kernels::{Fused, Fusion, Plain};
 
 /// In units in the last place, as promised.
 const BOUND: f64 = 1.5;
 
-/// Numbers from 0 to 1: evenly, next to both ends, to a half and where the octants meet.
+/// Numbers from 0 to 1: evenly, next to both ends, to a half and where the octants meet. An ordinary run takes
+/// every fifth of those of `.ci/nightly`.
 fn shares() -> Vec<f64> {
-    let mut shares: Vec<f64> = (0..=40_000).map(|k| f64::from(k) / 40_000.0).collect();
-    for k in 0..4000 {
-        let small = 2_f64.powf(-f64::from(k) / 60.0);
+    let (even, doubling) = (cases(8000, 40_000) as u32, cases(12, 60) as u32);
+    let mut shares: Vec<f64> = (0..=even).map(|k| f64::from(k) / f64::from(even)).collect();
+    for k in 0..4000 * doubling / 60 {
+        let small = 2_f64.powf(-f64::from(k) / f64::from(doubling));
         shares.extend([small, 1.0 - small, 0.5 * (1.0 - small), 0.5 * (1.0 + small)]);
     }
     for near in [0.5, 1.0, core::f64::consts::FRAC_1_SQRT_2] {

@@ -58,17 +58,19 @@ fn evaluations(targets: impl Iterator<Item = f64>, ways: [bool; 2]) -> [f64; 2] 
     sum.map(|sum| f64::from(sum) / f64::from(count))
 }
 
+/// A sample of the targets of `.ci/nightly`.
 #[test]
 fn neighbours_take_half_of_the_evaluations() {
+    let poses = cases(6000, 20_000) as i32;
     let along = |poses: i32| (1..poses).map(move |i| 0.17 + 0.16 * f64::from(i) / f64::from(poses));
     for is_right in [true, false] {
-        let [seeded, cold] = evaluations(along(20_000), [is_right, true]);
+        let [seeded, cold] = evaluations(along(poses), [is_right, true]);
         assert!(seeded <= 2.5 && cold >= 5.0, "{seeded} {cold}");
         // Steps from a tenth of a degree on, that next to the dead points are too long for a seed.
         let [seeded, _] = evaluations(along(1000), [is_right, true]);
         assert!(seeded <= 3.5, "{seeded}");
         // Without a proof the ends alone are remembered: two evaluations less, and the same bits.
-        let [seeded, cold] = evaluations(along(20_000), [is_right, false]);
+        let [seeded, cold] = evaluations(along(poses), [is_right, false]);
         assert!((cold - seeded - 2.0).abs() < 1e-3, "{seeded} {cold}");
     }
 }
