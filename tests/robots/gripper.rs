@@ -9,7 +9,7 @@ mechanism! {
     pub struct FromScrew {
         /// The nut's place on the screw.
         input screw: length;
-        /// What each finger presses with.
+        /// The force that each finger presses with.
         load grip: force;
 
         ground F(50mm, 30mm);
