@@ -1,8 +1,8 @@
 //! Static solvers for planar mechanisms.
 //!
-//! A mechanism is declared by [`mechanism!`] the way it is built, a driver and then Assur groups of
-//! class II, and compiled to straight-line code for position, velocity and acceleration. Only unknowns,
-//! friction and a [`Tracker`] iterate. This crate is what the generated code runs on: the numbers, the
+//! A mechanism is declared by [`mechanism!`] the way it is built, a driver and then Assur groups, or
+//! as it is drawn, and compiled to straight-line code for position, velocity and acceleration. Only unknowns, by which
+//! groups of class III are solved, friction and a [`Tracker`] iterate. This crate is what the generated code runs on: the numbers, the
 //! results, the errors.
 //!
 //! **[The reference](crate::reference)** has [the language](reference::language),

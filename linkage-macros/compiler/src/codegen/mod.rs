@@ -2,8 +2,8 @@
 //! for every entry point a fast path, a slow path and the function that chooses.
 //!
 //! Nothing is computed or decided here about the mechanism: what is printed is what `lower` says,
-//! statement by statement. Paths into the run-time crate are made in `paths`, names in `names`, and
-//! nowhere else.
+//! statement by statement. Paths into the run-time crate are made in `paths`, names in
+//! `identifiers`, and nowhere else.
 
 mod arguments;
 mod as_solver;

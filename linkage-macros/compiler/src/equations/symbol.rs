@@ -18,7 +18,7 @@ pub(crate) struct GraphBuilder<'r> {
     graph: RefCell<Graph>,
     rules: &'r [Rule],
     /// True while conditions are ignored: a trial of an equation refuses nothing.
-    are_enabled: Cell<bool>,
+    are_guards_ignored: Cell<bool>,
 }
 
 /// A scalar on a builder.
@@ -37,7 +37,7 @@ pub(crate) struct Vector<'s> {
 
 impl<'r> GraphBuilder<'r> {
     pub(crate) fn new(rules: &'r [Rule]) -> Self {
-        Self { graph: RefCell::new(Graph::new()), rules, are_enabled: Cell::new(false) }
+        Self { graph: RefCell::new(Graph::new()), rules, are_guards_ignored: Cell::new(false) }
     }
 
     pub(crate) fn into_graph(self) -> Graph {
@@ -109,9 +109,9 @@ impl<'s> GraphBuilder<'s> {
         self.graph.borrow_mut().name(sym.id, name);
     }
 
-    /// From now on conditions are passed by, or asked again.
-    pub(crate) fn set_guards_enabled(&self, are_enabled: bool) {
-        self.are_enabled.set(are_enabled);
+    /// Sets whether conditions are left out of what is made from now on.
+    pub(crate) fn set_guards_ignored(&self, are_ignored: bool) {
+        self.are_guards_ignored.set(are_ignored);
     }
 
     /// a·b − c·d as one operation.
@@ -249,7 +249,7 @@ impl<'s> Sym<'s> {
 
     /// The value, provided that the check holds for the group.
     pub(crate) fn guarded_by(self, check: Check, group: u32, operands: &[Self]) -> Self {
-        if self.builder.are_enabled.get() {
+        if self.builder.are_guards_ignored.get() {
             return self;
         }
         let guard = Guard { check, group, operands: operands.iter().map(|o| o.id).collect() };

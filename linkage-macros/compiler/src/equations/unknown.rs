@@ -81,7 +81,7 @@ impl<'s> Kinematics<'s> {
         kinematics.take_until(first);
         kinematics.name_lets();
         kinematics.unknowns.push(trial);
-        builder.set_guards_enabled(is_open);
+        builder.set_guards_ignored(is_open);
         kinematics.take_until(last);
         kinematics.name_lets();
         kinematics
@@ -94,7 +94,7 @@ impl<'s> Kinematics<'s> {
         let root = Jet { value: self.unknowns[id.index()].value, rate: one, accel: zero };
         let inputs = InputMotion::at_rest(&self.inputs, self.builder);
         let at = Self::of_trial(inputs, self, id, root, false);
-        at.builder.set_guards_enabled(false);
+        at.builder.set_guards_ignored(false);
         at
     }
 }
@@ -187,6 +187,6 @@ pub(super) fn sides<'s>(
             if *is_left { sides } else { [sides[1], sides[0]] }
         }
     };
-    at.builder.set_guards_enabled(false);
+    at.builder.set_guards_ignored(false);
     sides
 }

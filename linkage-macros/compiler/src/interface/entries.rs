@@ -1,7 +1,7 @@
-//! The entry points: one table, of which everything is asked that an entry point is.
+//! The table of entry points and their properties.
 //!
-//! A new one is a row here and its numbers in `equations`; with a sweep it is a type of the run-time
-//! crate, too.
+//! A new one is a row here, its numbers in `equations`, a field of the four costs and a condition of `unavailable` in the
+//! run-time crate; with a sweep it is a type of that crate, too.
 
 use crate::interface::quantity::Order;
 use crate::interface::records::{RecordKind, Shape};

@@ -2,11 +2,21 @@
 //! what has to be asked before its result may be used.
 //!
 //! Everything about the generated code that has to be decided is decided here; `codegen` prints it.
-//! `plan` says which entry point computes for itself, `ranges` how large values can become,
-//! `overflow` what is asked so that none overflows, `witnesses` which results stand for all, `limits` in
-//! which comparisons, `checks` what a condition becomes, `schedule` in which order statements stand, `locals` what they
-//! are called, `constants` which constants are, `nesting` which values have no name, `unique_root` whether an equation has several, `places` where arguments are read, `used` what one path of a routine
-//! reads, `bound_once` what a language without shadowing binds.
+//!
+//! | module | what it decides |
+//! |---|---|
+//! | `plan` | which entry points compute for themselves |
+//! | `ranges` | how large values can become |
+//! | `overflow`, `input_limits` | what is asked so that none overflows, and in which comparisons |
+//! | `witnesses` | which results stand for all |
+//! | `checks` | what a condition becomes |
+//! | `searches`, `interval` | what a search is given |
+//! | `unique_root` | whether an equation has more than one root |
+//! | `schedule` | the order of the statements |
+//! | `locals`, `constants`, `nesting` | the names of values, of constants, and which values have none |
+//! | `places` | where arguments are read |
+//! | `used` | what one path of a routine reads |
+//! | `bound_once` | what a language without shadowing binds |
 
 pub(crate) mod apart;
 mod bound_once;

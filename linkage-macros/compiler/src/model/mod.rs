@@ -6,8 +6,9 @@
 //! error has made stays known, so that its users get no message of their own. The same holds for
 //! what the parser could not read: a damaged part is known to be there, and nothing more.
 //!
-//! Nothing here knows how a mechanism is solved: no formula, and of numbers only what the rules
-//! need of constants.
+//! Nothing here knows how a mechanism is solved. Of numbers there is what the rules need of constants, and what a
+//! drawing needs: `drawn` finds the inputs of the drawn pose by Newton's method, and the angles of links that are held
+//! together by the theorem of cosines.
 
 pub(crate) mod acting;
 mod actions;

@@ -11,6 +11,7 @@
 //!            | `pin` (NAME pair),* `;`
 //!            | `link` (NAME `(` PIN,* `)` (`on` GUIDE,*)?),* (`;` | `{` FIELD `:` expression `}`)
 //!            | `drive` LINK `.` MEMBER (`-` LINK `.` MEMBER)? `=` expression `;`
+//!            | `drive` INPUT `by` LOAD `;`
 //!            | `guide` NAME (`on` LINK)? `through` (pair | POINT)
 //!                                        (`along` expression | `towards` POINT) `;`
 //!            | `point` NAME (`on` LINK)? `at` (pair | `polar` pair | `distances` pair SIDE) `;`
@@ -21,6 +22,10 @@
 //!            | `inertia` expression `on` LINK `;`
 //!            | `force` (pair (`in` NAME)? `on` POINT | expression `between` POINT `and` POINT) `;`
 //!            | `torque` expression (`on` LINK | `between` LINK `and` LINK) `;`
+//!            | `spring` NAME? `between` NAME `and` NAME `{` (FIELD `:` expression),* `}`
+//!            | `stop` NAME? expression `between` pair `{` (FIELD `:` expression),* `}`
+//!            | `friction` expression (`at` PIN | `on` LINK (`at` PIN)? | `between` NAME `and` NAME `at` PIN)
+//!                                    ((`radius` | `length` | `smooth`) expression)* `;`
 //!            | `output` ((NAME `=`)? expression),* `;`
 //!            | `numerics` WORD `;` | `crate` `=` path `;` | `export` WORD `;`
 //! pair         `(` expression `,` expression `)`

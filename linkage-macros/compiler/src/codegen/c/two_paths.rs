@@ -65,7 +65,7 @@ impl In<'_> {
         let (routine, used) = (printer.routine, printer.dialect.used);
         if printer.dialect.asks == Asks::Compares {
             to.put("int ok = 1;\n");
-        } else if !to_diagnose(routine) {
+        } else if !diagnoses(routine) {
             to.put("(void)why;\n");
         }
         for name in self.unread(&routine.given, used.leaves()) {
@@ -208,8 +208,8 @@ fn pointer(is_staged: bool, nth: usize) -> String {
     if is_staged { field_of_motion(Order::ALL[nth]) } else { "to" }.to_string()
 }
 
-/// True if the slow path of a routine asks anything.
-fn to_diagnose(routine: &Routine) -> bool {
+/// True if the slow path of a routine contains a check, a search or amounts of friction.
+fn diagnoses(routine: &Routine) -> bool {
     let asks = |statement: &Instruction| {
         matches!(
             statement,

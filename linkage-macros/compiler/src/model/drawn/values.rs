@@ -1,4 +1,4 @@
-//! Measured of what is written in a drawing: the numbers of a declaration are resolved with its pins
+//! Values of the numbers of a drawing: the numbers of a declaration are resolved with its pins
 //! as points that stand still, so that the rules and the messages of the ground's points are theirs.
 
 use std::collections::{HashMap, HashSet};
