@@ -191,7 +191,7 @@ fn differences(
     found
 }
 
-/// Every variant and an eighth of the other declarations; `.ci/nightly` asks all of them.
+/// Every variant and an eighth of the other declarations; `.ci/run` asks all of them.
 #[test]
 fn no_declaration_expands_to_other_code_than_before() {
     let messages = messages_of_slips();
@@ -203,7 +203,7 @@ fn no_declaration_expands_to_other_code_than_before() {
 }
 
 #[test]
-#[ignore = "minutes: `.ci/nightly` takes it"]
+#[ignore = "half a minute: `.ci/run` takes it"]
 fn no_declaration_at_all_expands_to_other_code_than_before() {
     let all = Share::Whole.expanded();
     assert_kept(&all, &messages_of_slips());

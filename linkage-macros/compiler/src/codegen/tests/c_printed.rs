@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
+use super::skipped::skipped;
 use crate::expansions::declarations;
 use crate::pipeline;
 
@@ -119,7 +120,7 @@ fn compiled(
         parts.into_iter().map(|part| part.join().expect("it only starts a program")).collect()
     });
     if told.is_none() {
-        println!("skipped: no {compiler}");
+        skipped(&format!("declarations in C: no {compiler}"));
     }
     told
 }
@@ -147,7 +148,7 @@ fn models_are_c(every: usize) {
         }
         let command =
             Command::new("cc").args(STRICT).arg("sources/fmi3.c").current_dir(&folder).output();
-        let Ok(output) = command else { return println!("skipped: no cc") };
+        let Ok(output) = command else { return skipped("models in C: no cc") };
         let errors = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{}: {errors}", declaration.name);
     }

@@ -4,6 +4,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use super::skipped::skipped;
 use crate::codegen::c::run_time;
 
 pub(super) const STRICT: [&str; 6] =
@@ -42,7 +43,7 @@ impl Program {
             .current_dir(&program.folder)
             .output();
         let Ok(output) = command else {
-            println!("skipped: no {compiler}");
+            skipped(&format!("the run-time in C: no {compiler}"));
             return None;
         };
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

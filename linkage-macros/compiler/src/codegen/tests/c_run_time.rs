@@ -17,6 +17,7 @@ use linkage_core::{Float, Fused, Fusion, Lanes, Mask, Plain, Real, Scalar, Solve
 
 use super::c_program::{self, Program, STRICT};
 use super::c_roots::roots_agree;
+use super::skipped::skipped;
 use crate::codegen::c::run_time;
 
 const CONTRACTING: [&str; 3] = ["-std=gnu17", "-march=x86-64-v3", "-Wall"];
@@ -368,7 +369,7 @@ fn strict_c_and_cpp_agree_at_length() {
 #[ignore = "minutes: `.ci/nightly` takes it"]
 fn fused_c_agrees() {
     if !cfg!(target_arch = "x86_64") || !std::is_x86_feature_detected!("fma") {
-        println!("skipped: no fused operations");
+        skipped("fused C: no fused operations");
         return;
     }
     let compilers = [("cc", "fused", &CONTRACTING[..]), ("clang", "clang_fused", &CONTRACTING)];

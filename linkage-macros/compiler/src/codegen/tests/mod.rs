@@ -15,6 +15,8 @@ mod guards;
 mod rubbing_page;
 mod run_time;
 mod several_inputs;
+#[path = "../../../../../tests/skipped.rs"]
+mod skipped;
 mod spans;
 mod turning;
 mod unique_root;
