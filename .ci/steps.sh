@@ -25,11 +25,15 @@ processor() {
 yardstick() {
     local before other
     processor && before=$spent
-    rustc --edition 2024 --crate-type lib --emit obj -O -o target/yardstick.1.o .ci/yardstick.rs &
+    compile_yardstick one &
     other=$!
-    rustc --edition 2024 --crate-type lib --emit obj -O -o target/yardstick.2.o .ci/yardstick.rs
+    compile_yardstick other
     wait $other
     processor && unit=$(awk "BEGIN { print ($spent - $before) / 2 }")
+}
+
+compile_yardstick() {
+    rustc --edition 2024 --crate-name "$1" --crate-type lib --emit obj -O -o "target/yardstick.$1.o" .ci/yardstick.rs
 }
 
 # step NAME COMMAND…: runs it, and keeps what it took: seconds, processor seconds, and these in yardsticks, of which one is
