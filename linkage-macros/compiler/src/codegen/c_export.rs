@@ -6,6 +6,7 @@
 
 pub(super) mod c_identifiers;
 pub(super) mod header;
+mod reserved;
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;

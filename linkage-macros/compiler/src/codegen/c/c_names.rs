@@ -16,19 +16,23 @@ use crate::model::mechanism::Mechanism;
 pub(super) const PARAMETERS: &str = "self";
 
 /// The name in C of a field, among all of its record.
-fn field_in_c(all: impl Iterator<Item = String> + Clone, field: &str) -> String {
+fn field_in_c(
+    mechanism: &Mechanism,
+    all: impl Iterator<Item = String> + Clone,
+    field: &str,
+) -> String {
     let at = all.clone().position(|name| name == field).expect("a record has its fields");
-    distinct(all).swap_remove(at)
+    distinct(&mechanism.name, all).swap_remove(at)
 }
 
 /// The name in C of a record's field.
-pub(super) fn field_of(record: &Record, field: &str) -> String {
-    field_in_c(record.fields.iter().map(|field| text(&field.name)), field)
+fn field_of(mechanism: &Mechanism, record: &Record, field: &str) -> String {
+    field_in_c(mechanism, record.fields.iter().map(|field| text(&field.name)), field)
 }
 
 /// The name in C of a parameter.
 pub(super) fn param(mechanism: &Mechanism, name: &str) -> String {
-    field_in_c(mechanism.params.iter().map(|param| text(&param.name)), name)
+    field_in_c(mechanism, mechanism.params.iter().map(|param| text(&param.name)), name)
 }
 
 /// The name of an argument that holds this.
@@ -122,7 +126,7 @@ impl In<'_> {
                 let record = self.cx.record(id);
                 let field = record.fields.iter().find(|field| field.name == name);
                 let shape = field.expect("a record has its fields").shape;
-                let name = field_of(record, &plain(name));
+                let name = field_of(self.cx.mechanism, record, &plain(name));
                 self.component(shape, rest, format!("{so_far}.{name}"))
             }
             (Component::Field(name), shape) => {
@@ -143,7 +147,8 @@ impl In<'_> {
                     _ => interface.inputs,
                 };
                 let record = interface.record(record.expect("several have a record"));
-                format!("{}->{}", name_of(given[at]), field_of(record, &text(field)))
+                let field = field_of(mechanism, record, &text(field));
+                format!("{}->{field}", name_of(given[at]))
             }
             Place::Argument(at, ArgumentPart::Index(index)) => {
                 format!("{}[{index}]", name_of(given[at]))

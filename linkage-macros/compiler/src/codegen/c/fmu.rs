@@ -7,7 +7,7 @@ mod model_description;
 mod model_table;
 
 use super::{FRICTION, In, ROOT, rubs};
-use crate::codegen::c_export::c_identifiers::{Width, snake_case};
+use crate::codegen::c_export::c_identifiers::{Width, file_stem, snake_case};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
@@ -91,7 +91,7 @@ pub(crate) fn generate(
     let cx = Context::new(mechanism, lowered);
     let stem = snake_case(&text(&cx.names.solver));
     let model = Model::new(In { cx: &cx, width: Width::Double, stem: &stem }, is_kinematic);
-    let own = format!("{stem}.c");
+    let own = format!("{}.c", file_stem(&text(&cx.names.solver)));
     let sources = ["fmi3.c", "linkage_run.c", &own].into_iter();
     let sources = sources.chain(cx.searches().then_some(ROOT));
     let sources = sources.chain(rubs(lowered).then_some(FRICTION));

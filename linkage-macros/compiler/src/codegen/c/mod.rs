@@ -15,7 +15,7 @@ pub(crate) mod selection;
 mod two_paths;
 
 use self::selection::Selection;
-use super::c_export::c_identifiers::{Width, snake_case};
+use super::c_export::c_identifiers::{Width, file_stem, snake_case};
 use super::c_export::header;
 use super::context::Context;
 use super::identifiers::text;
@@ -31,13 +31,13 @@ pub(crate) fn generate(
     selection: &Selection,
 ) -> Vec<(String, String)> {
     let cx = Context::new(mechanism, lowered);
-    let stem = snake_case(&text(&cx.names.solver));
+    let solver = text(&cx.names.solver);
+    let [stem, file] = [snake_case(&solver), file_stem(&solver)];
     let mut source = format!(
-        "/* {stem}.c: the solver of {}, printed by linkage from its declaration; do not edit.\n *\n\
+        "/* {file}.c: the solver of {solver}, printed by linkage from its declaration; do not edit.\n *\n\
          \x20* This text is yours: use, change and pass it on under any terms, with or without this notice. It comes\n\
          \x20* without any warranty. */\n\
-         #include \"{stem}.h\"\n#include \"linkage_run.h\"\n",
-        text(&cx.names.solver)
+         #include \"{file}.h\"\n#include \"linkage_run.h\"\n"
     );
     for &width in &selection.widths {
         let without = width.excluded();
@@ -46,8 +46,8 @@ pub(crate) fn generate(
         source += &format!("\n#endif /* {without} */\n");
     }
     let mut files = vec![
-        (format!("{stem}.h"), header::text(&cx, &selection.widths)),
-        (format!("{stem}.c"), source),
+        (format!("{file}.h"), header::text(&cx, &selection.widths)),
+        (format!("{file}.c"), source),
         ("linkage_run.h".to_string(), run_time::header()),
         ("linkage_run.c".to_string(), run_time::source().to_string()),
     ];

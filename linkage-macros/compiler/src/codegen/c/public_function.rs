@@ -6,7 +6,7 @@ use super::c_names::{is_array, param, quoted};
 use super::two_paths::indented;
 use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::c_export::PARAMETERS as MECHANISM;
-use crate::codegen::c_export::c_identifiers::{distinct, function};
+use crate::codegen::c_export::c_identifiers::{arguments, function};
 use crate::codegen::identifiers::text;
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
@@ -66,11 +66,10 @@ impl<'a> PublicFunction<'a> {
         let entry = to.cx.entry(id);
         let given = Arguments::new(to.cx, &entry.given);
         let answer = entry.point.answer();
-        let fixed = [MECHANISM, answer, "error"].map(str::to_string);
-        let all = fixed.into_iter().chain(given.names().iter().map(text));
         let own = ["result", "ok", "cosine", "sine"].map(str::to_string);
         let count = 3 + given.names().len();
-        let all = distinct(all.chain(own));
+        let others = given.names().iter().map(text).chain(own);
+        let all = arguments(&to.cx.names.solver, [MECHANISM, answer, "error"], others);
         let (mut declared, mut names) = (Vec::new(), Vec::new());
         let mut pointers = vec![(answer.to_string(), answer.to_string())];
         if to.has_params() {

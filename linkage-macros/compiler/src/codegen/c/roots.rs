@@ -5,6 +5,7 @@ use super::In;
 use super::c_names::{PARAMETERS, param, quoted};
 use super::in_c::InC;
 use super::two_paths::indented;
+use crate::codegen::c_export::c_identifiers::{Width, ascii};
 use crate::codegen::identifiers::text;
 use crate::codegen::printer::{Dialect, Printer};
 use crate::codegen::text::Text;
@@ -32,8 +33,19 @@ impl<'a> In<'a> {
     }
 
     pub(super) fn root_name(self, search: &Search) -> String {
-        let name = search.routine.name.trim_end_matches('_');
-        format!("{}_{name}{}", self.stem, self.ending())
+        self.name_of("", search)
+    }
+
+    fn trial_name(self, search: &Search) -> String {
+        self.name_of("_trial", search)
+    }
+
+    /// The name of a function of a search. It ends in the unknown's, and one may be called `x`, another `xf` or
+    /// `x_trial`.
+    fn name_of(self, action: &str, search: &Search) -> String {
+        let width = if self.width == Width::Single { "_f32" } else { "" };
+        let name = ascii(search.routine.name.trim_end_matches('_'));
+        format!("{}{action}{width}_{name}", self.stem)
     }
 
     fn trial(self, search: &Search, to: &mut String) {
@@ -51,9 +63,9 @@ impl<'a> In<'a> {
         }
         // Equations that nothing given changes, or no trial.
         lines.put(&format!("(void)given;\n(void){TRIAL};\n"));
-        let (name, real) = (self.root_name(search), self.real());
+        let (name, real) = (self.trial_name(search), self.real());
         *to += &format!(
-            "\nstatic void {name}_trial(const {real} *given, {real} {TRIAL}, {real} *sides)\n{{\n{}}}\n",
+            "\nstatic void {name}(const {real} *given, {real} {TRIAL}, {real} *sides)\n{{\n{}}}\n",
             indented(lines.as_str())
         );
     }
@@ -79,10 +91,11 @@ impl<'a> In<'a> {
         let trend = sign.unwrap_or_else(|| "trend".to_string());
         let (ending, is_turn) = (self.ending(), u8::from(search.asks_for_a_turn));
         let unknown = &self.cx.mechanism.unknowns[sought.unknown as usize].name;
-        let (name, real, unknown) = (self.root_name(search), self.real(), quoted(&text(unknown)));
+        let [name, trial] = [self.root_name(search), self.trial_name(search)];
+        let (real, unknown) = (self.real(), quoted(&text(unknown)));
         lines.put(&format!(
             "const LinkageBetween{ending} between = {{ {}, {}, {trend}, {near}, {has_near}, {is_turn} }};\n\
-             return linkage_root{ending}(why, {unknown}, &between, {name}_trial, given, found);\n",
+             return linkage_root{ending}(why, {unknown}, &between, {trial}, given, found);\n",
             from.as_str(),
             to_end.as_str(),
         ));

@@ -1,16 +1,18 @@
 //! The text of the header: the types and functions as C sees them, field for field what the
 //! generated Rust lays out.
 
+use proc_macro2::Ident;
+
 use super::PARAMETERS;
-use super::c_identifiers::{Width, default, distinct, function, snake_case};
+use super::c_identifiers::{Width, arguments, default, distinct, file_stem, function, snake_case};
 use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text as plain;
 use crate::codegen::{docs, force_docs};
-use crate::interface::entries::{Analysis, Entry};
+use crate::interface::entries::Entry;
 use crate::interface::labels;
 use crate::interface::quantity::Order;
-use crate::interface::records::{self, Field, Shape, Subject};
+use crate::interface::records::{self, Field, RecordKind, Shape, Subject};
 use crate::interface::units_in_words::unit;
 use crate::model::mechanism::{Param, ParamKind};
 
@@ -39,7 +41,7 @@ pub(in crate::codegen) const JAMS: &str = "\
 /// The whole header, for numbers of these widths.
 pub(in crate::codegen) fn text(cx: &Context<'_>, widths: &[Width]) -> String {
     let solver = plain(&cx.names.solver);
-    let guard = snake_case(&solver).to_uppercase();
+    let [stem, guard] = [snake_case(&solver), file_stem(&solver)].map(|stem| stem.to_uppercase());
     let about = about(cx, &solver);
     let no_solution = if cx.searches() { NO_SOLUTION } else { "" };
     let jams = if cx.mechanism.dynamics.frictions.is_empty() { "" } else { JAMS };
@@ -47,11 +49,11 @@ pub(in crate::codegen) fn text(cx: &Context<'_>, widths: &[Width]) -> String {
         "{about}\n#ifndef {guard}_H\n#define {guard}_H\n\n\
          #include <stddef.h>\n#include <stdint.h>\n\n\
          #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{SHARED}\n{no_solution}{jams}\
-         #define {guard}_INPUTS {}\n#define {guard}_OUTPUTS {}\n",
+         #define {stem}_INPUTS {}\n#define {stem}_OUTPUTS {}\n",
         cx.columns(),
         cx.rows(),
     );
-    if cx.interface.has(Analysis::Forces) {
+    if has_forces(cx) {
         header += &format!("\n{FORCES}");
     }
     for &width in widths {
@@ -61,6 +63,12 @@ pub(in crate::codegen) fn text(cx: &Context<'_>, widths: &[Width]) -> String {
         header += &functions(cx, width);
     }
     header + &format!("\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard}_H */\n")
+}
+
+/// True if some function hands back forces.
+fn has_forces(cx: &Context<'_>) -> bool {
+    let mut forces = cx.interface.records.iter().filter(|of| of.kind == RecordKind::Forces);
+    forces.any(|of| cx.interface.is_used(of))
 }
 
 fn about(cx: &Context<'_>, solver: &str) -> String {
@@ -99,8 +107,8 @@ struct CStruct {
 }
 
 impl CStruct {
-    fn text(&self) -> String {
-        let names = distinct(self.fields.iter().map(|(_, name, ..)| name.clone()));
+    fn text(&self, solver: &Ident) -> String {
+        let names = distinct(solver, self.fields.iter().map(|(_, name, ..)| name.clone()));
         let field = |((ty, _, about, list), name): (&(String, String, String, String), String)| {
             let about = about.trim_end_matches('.').to_string();
             format!("{}    {ty} {name}{list};\n", comment(&[about], "    "))
@@ -117,7 +125,7 @@ fn types(cx: &Context<'_>, width: Width) -> String {
     let records = cx.interface.records.iter();
     let returned = records.filter(|record| cx.interface.is_used(record));
     let records = returned.map(|of| record(cx, width, of));
-    parameters.into_iter().chain(records).map(|record| record.text()).collect()
+    parameters.into_iter().chain(records).map(|record| record.text(&cx.names.solver)).collect()
 }
 
 fn parameters(cx: &Context<'_>, width: Width) -> CStruct {
@@ -166,7 +174,7 @@ pub(in crate::codegen) fn type_of(cx: &Context<'_>, shape: Shape, width: Width) 
     match shape {
         Shape::Record(record) => width.type_name(&plain(&cx.record(record).name)),
         Shape::Quantity(quantity, order) => match quantity.layout(order).record {
-            Some(record) => width.type_name(&format!("Linkage{record}")),
+            Some(record) => width.shared_type_name(record),
             None => width.in_c().to_string(),
         },
         Shape::Number | Shape::List(_) | Shape::Matrix { .. } => width.in_c().to_string(),
@@ -210,11 +218,10 @@ fn functions(cx: &Context<'_>, width: Width) -> String {
 }
 
 fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
-    let (arguments, answer) = (Arguments::new(cx, &of.given), of.point.answer());
-    // The inputs come last here, so that they give way to the names that are always there.
-    let fixed = [PARAMETERS, answer, "error"].map(str::to_string);
-    let names = distinct(fixed.into_iter().chain(arguments.names().iter().map(plain)));
-    let inputs = arguments.parts().zip(&names[3..]).map(|((_, form), name)| match form {
+    let (given, answer) = (Arguments::new(cx, &of.given), of.point.answer());
+    let fixed = [PARAMETERS, answer, "error"];
+    let names = arguments(&cx.names.solver, fixed, given.names().iter().map(plain));
+    let inputs = given.parts().zip(&names[3..]).map(|((_, form), name)| match form {
         Form::Record(record, _) => format!("const {} *{name}", width.type_name(&plain(record))),
         Form::Number => format!("{} {name}", width.in_c()),
         Form::List(count) => format!("const {} {name}[{count}]", width.in_c()),

@@ -8,7 +8,7 @@ use super::skipped::skipped;
 use crate::expansions::declarations;
 use crate::pipeline;
 
-const STRICT: [&str; 8] = [
+pub(super) const STRICT: [&str; 8] = [
     "-std=c99",
     "-pedantic",
     "-Wall",
@@ -104,7 +104,7 @@ fn compilers_take(nth: usize, compilers: &[[Told; 2]]) -> usize {
 }
 
 /// The messages of a compiler about the sources, some at a time; none where it is not installed.
-fn compiled(
+pub(super) fn compiled(
     compiler: &str,
     flags: &[&str],
     sources: &[String],

@@ -4,6 +4,7 @@ mod apart;
 mod c_constants;
 mod c_export;
 mod c_friction;
+mod c_names;
 mod c_printed;
 mod c_program;
 mod c_roots;

@@ -3,7 +3,7 @@
 use super::{Model, PARAMETERS, Role, Variable, kind, of_drives};
 use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::c::c_names::{is_array, param as field_of_param};
-use crate::codegen::c_export::c_identifiers::{Width, default, function};
+use crate::codegen::c_export::c_identifiers::{Width, default, file_stem, function};
 use crate::codegen::identifiers::text;
 use crate::interface::entries::{ArgumentKind, Entry};
 use crate::model::mechanism::ParamKind;
@@ -19,16 +19,21 @@ impl Model<'_> {
         };
         let kinds: Vec<String> = self.variables.iter().map(|v| v.role.in_c()).collect();
         let starts: Vec<String> = self.variables.iter().map(|v| format!("{:?}", v.start)).collect();
+        let solver = text(&self.to.cx.names.solver);
+        // Fields may be named like the macros behind these functions.
+        let (functions, names) = self.evaluation();
         let is_state = |v: &&Variable| matches!(v.role, Role::State(_));
         format!(
-            "/* fmi3_model.h: the variables of {}, printed by linkage; do not edit. */\n#include \"{}.h\"\n\n\
+            "/* fmi3_model.h: the variables of {}, printed by linkage; do not edit. */\n#include \"{}.h\"\n\n{}\
              #define TOKEN \"{}\"\n#define VARIABLES {}\n#define STATES {}\n#define GROUPS {}\n\n\
              enum {{ GIVEN, TIME, COMPUTED }};\nstatic const unsigned char KIND[VARIABLES] = {{ {} }};\n\
              static const double START[VARIABLES] = {{ {} }};\n\
              static const uint32_t STATE[STATES + 1] = {{ {} }};\n\
-             static const uint32_t DERIVATIVE[STATES + 1] = {{ {} }};\n\n{}",
-            text(&self.to.cx.names.solver),
-            self.to.stem,
+             static const uint32_t DERIVATIVE[STATES + 1] = {{ {} }};\n\
+             static LinkageStatus (*const EVALUATE[GROUPS])(double v[], LinkageError *error) = {{ {} }};\n",
+            solver,
+            file_stem(&solver),
+            functions,
             self.token(),
             self.variables.len(),
             self.variables.iter().filter(is_state).count(),
@@ -37,19 +42,16 @@ impl Model<'_> {
             starts.join(", "),
             states(&|role| matches!(role, Role::State(_))),
             states(&|role| matches!(role, Role::State(Some(_)) | Role::Rate(_))),
-            self.evaluation(),
+            names,
         )
     }
 
-    /// The functions that compute what depends on what is given, one a group.
-    fn evaluation(&self) -> String {
+    /// The functions that compute what depends on what is given, one a group, and the list of their names.
+    fn evaluation(&self) -> (String, String) {
         let groups = 0..self.groups.len().max(1);
         let functions: String = groups.clone().map(|nth| self.evaluation_of(nth)).collect();
         let names: Vec<String> = groups.map(|nth| format!("evaluate_{nth}")).collect();
-        format!(
-            "{functions}static LinkageStatus (*const EVALUATE[GROUPS])(double v[], LinkageError *error) = {{ {} }};\n",
-            names.join(", ")
-        )
+        (functions, names.join(", "))
     }
 
     /// The function of a group. The first one's also computes the second rates of the inputs.
