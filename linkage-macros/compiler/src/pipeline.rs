@@ -131,16 +131,13 @@ fn printed(
     let _atoms = Scope::begin();
     let mut diagnostics = Diagnostics::new();
     let (_, resolved) = read(source, &mut diagnostics);
-    let resolved = resolved.map(|resolved| {
-        resolved.map(|mechanism| {
-            let selection = Selection::of(&mechanism, only, &mut diagnostics);
-            (mechanism, selection)
-        })
-    });
     match (resolved, diagnostics.finish()) {
-        (Some(Ok((mechanism, selection))), Ok(())) => {
+        (Some(Ok(mechanism)), Ok(())) => {
+            let (program, mut diagnostics) = (program(&mechanism), Diagnostics::new());
+            let selection = Selection::of(&mechanism, &program, only, &mut diagnostics);
+            diagnostics.finish().map_err(|Failure(mistakes)| mistakes)?;
             // The numbers of an entry point are the same whichever others are printed.
-            let program = selection.apply(program(&mechanism));
+            let program = selection.apply(program);
             let lowered = lower::lower(&mechanism, &program);
             let solver = codegen::c::generate(&mechanism, &lowered, &selection);
             let solver = solver.into_iter().map(|(name, text)| File { name, text }).collect();

@@ -94,19 +94,26 @@ impl Interface {
         self.find(analysis.by_value()).is_some()
     }
 
-    /// True unless an analysis returns the record that is not offered: margins may be outputs without an entry
+    /// True unless only analyses return the record that are not offered: margins may be outputs without an entry
     /// point, and masses may be such that there are no dynamics. The stages are always offered.
     pub(crate) fn is_used(&self, record: &Record) -> bool {
-        let is_missing = |analysis: Analysis| {
-            matches!(analysis.row().returns, Returns::Record(kind) if kind == record.kind)
-                && !Analysis::STAGES.contains(&analysis)
-                && !self.entries.iter().any(|entry| {
-                    let is_of_dynamics = analysis.row().topic == Topic::Dynamics;
+        // Forces of one link are a field of all forces.
+        let kind = match record.kind {
+            RecordKind::ForcesOf(_) => RecordKind::Forces,
+            kind => kind,
+        };
+        let returns_it =
+            |row: &EntryRow| matches!(row.returns, Returns::Record(returned) if returned == kind);
+        let is_offered = |analysis: Analysis| {
+            let is_of_dynamics = analysis.row().topic == Topic::Dynamics;
+            Analysis::STAGES.contains(&analysis)
+                || self.entries.iter().any(|entry| {
                     entry.point.analysis == analysis
                         || is_of_dynamics && entry.point.is_about_dynamics()
                 })
         };
-        !Analysis::all().any(is_missing)
+        let mut returning = Analysis::all().filter(|of| returns_it(of.row())).peekable();
+        returning.peek().is_none() || returning.any(is_offered)
     }
 
     pub(crate) fn record_ids(&self) -> impl Iterator<Item = RecordId> + use<> {

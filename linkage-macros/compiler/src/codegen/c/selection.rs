@@ -16,11 +16,17 @@ pub(crate) struct Selection {
 }
 
 impl Selection {
-    /// The selection by names of entry points, `f64` and `f32`; all of those that no name tells. Reports names that
-    /// are none.
-    pub(crate) fn of(mechanism: &Mechanism, only: &[&str], diagnostics: &mut Diagnostics) -> Self {
-        let interface = Interface::of(mechanism);
-        let all: Vec<EntryPoint> = interface.entries.iter().map(|entry| entry.point).collect();
+    /// The selection among the entry points that a program answers, by their names, `f64` and `f32`; all of those
+    /// that no name tells. Reports names that are none.
+    pub(crate) fn of(
+        mechanism: &Mechanism,
+        program: &Program,
+        only: &[&str],
+        diagnostics: &mut Diagnostics,
+    ) -> Self {
+        let all: Vec<EntryPoint> =
+            program.answers.iter().filter_map(|answer| answer.entry).collect();
+        let interface = Interface::of(mechanism).limited_to(all.iter().copied());
         let widths = Width::ALL.into_iter().filter(|width| only.contains(&width.in_rust()));
         let widths: Vec<Width> = widths.collect();
         let points = all.iter().copied().filter(|point| only.contains(&point.name()));
