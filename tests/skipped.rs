@@ -1,4 +1,4 @@
-//! What a test leaves out for want of a tool. Tests of every crate include this file: none may depend on another's.
+//! Tests of every crate include this file, none may depend on another's: a list of what they leave out for want of a tool.
 
 use std::io::Write;
 

@@ -1,8 +1,8 @@
-//! What rustc alone can show of a mistake: where it underlines, what it says once the macro is done,
+//! Messages that rustc alone can show: where it underlines, what it says once the macro is done,
 //! and that a struct in error can be used without a second message. Each file is named for its
 //! mistake, in a folder by its phase; `mixed` has several at once, `calls` uses a mechanism wrongly.
 //!
-//! What a mistake is told, and at which token, is a row of the compiler's own tests, where it takes no
+//! The text of a message, and its token, is a row of the compiler's own tests, where it takes no
 //! run of rustc. A few files of every phase show that the places come through the macro.
 //!
 //! `LINKAGE_MESSAGES=1 cargo test -p linkage-core --test ui` writes the messages down anew.
