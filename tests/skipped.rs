@@ -1,4 +1,4 @@
-//! Tests of every crate include this file, none may depend on another's: a list of what they leave out for want of a tool.
+//! The list of what tests leave out for want of a tool. Tests of every crate include this file: none may depend on another's.
 
 use std::io::Write;
 
