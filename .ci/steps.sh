@@ -57,28 +57,32 @@ skipped() {
     printf '%s\n' "$1" >>"$LINKAGE_SKIPS"
 }
 
-# The table, the skips, and whether both are what is stored: `steps.txt` has the yardsticks of a step, `skips.txt` what
-# is left out on a machine with Rust, gcc, Python and node.
+# The table, and whether a step takes more than the yardsticks that the file named stores.
 closing() {
     local worse=0
     printf '\n seconds processor yardsticks step\n'
     printf '%s\n' "${table[@]}"
-    if [ -n "${LINKAGE_STORE:-}" ]; then
-        printf '%s\n' "${table[@]}" | awk '{ name = substr($0, 29); printf "%.1f %s\n", $3, name }' >"$here/$1"
-    fi
-    # A step of less than two yardsticks is too short to be judged.
-    printf '%s\n' "${table[@]}" | awk -v stored="$here/$1" '
-        BEGIN { while ((getline line < stored) > 0) { split(line, part, " "); of[substr(line, length(part[1]) + 2)] = part[1] } }
-        { name = substr($0, 29)
-          if (!(name in of)) { print "not stored in .ci/'"$1"': " name; worse = 1 }
-          else if ($3 > 1.5 * of[name] && $3 > 2) { printf "%s takes %.1f yardsticks, 1.5 times the %.1f that are stored\n", name, $3, of[name]; worse = 1 } }
-        END { exit worse }' || worse=1
-    printf '\nleft out:\n'
-    sort -u "$LINKAGE_SKIPS" | sed 's/^/  /'
-    if ! sort -u "$LINKAGE_SKIPS" | comm -23 - <(sort "$here/skips.txt") | awk '{ print "not in .ci/skips.txt: " $0; found = 1 } END { exit found }'; then
-        worse=1
+    if [ -n "${1:-}" ]; then
+        if [ -n "${LINKAGE_STORE:-}" ]; then
+            printf '%s\n' "${table[@]}" | awk '{ printf "%.1f %s\n", $3, substr($0, 29) }' >"$here/$1"
+        fi
+        # A step of less than two yardsticks is too short to be judged.
+        printf '%s\n' "${table[@]}" | awk -v stored="$here/$1" '
+            BEGIN { while ((getline line < stored) > 0) { split(line, part, " "); of[substr(line, length(part[1]) + 2)] = part[1] } }
+            { name = substr($0, 29)
+              if (!(name in of)) { print "not stored in .ci/'"$1"': " name; worse = 1 }
+              else if ($3 > 1.5 * of[name] && $3 > 2) { printf "%s takes %.1f yardsticks, more than 1.5 times the %.1f that are stored\n", name, $3, of[name]; worse = 1 } }
+            END { exit worse }' || worse=1
     fi
     return $worse
+}
+
+# What was left out, and whether it is more than `skips.txt` has: what a machine with Rust, gcc, Python and node leaves out.
+left_out() {
+    printf '\nleft out:\n'
+    sort -u "$LINKAGE_SKIPS" | sed 's/^/  /'
+    sort -u "$LINKAGE_SKIPS" | comm -23 - <(sort "$here/skips.txt") |
+        awk '{ print "not in .ci/skips.txt: " $0; found = 1 } END { exit found }'
 }
 
 yardstick
