@@ -1,4 +1,5 @@
-//! The mechanism of the controller beside this file: `linkage c shear.rs -o solver --only motion,f32` has printed it.
+//! The mechanism of the controller beside this file: `linkage export c shear.rs -o solver --only motion,f32` has printed
+//! it.
 
 use linkage_core::mechanism;
 

@@ -165,8 +165,8 @@ def main():
     (WORK / "Cargo.toml").write_text(MANIFEST)
     (WORK / "Cargo.lock").write_bytes((ROOT / "Cargo.lock").read_bytes())
     (WORK / "program.c").write_text(PROGRAM)
-    run("cargo", "run", "--quiet", "--offline", "-p", "linkage-command", "--", "c", WORK / "four_bar.rs",
-        "-o", WORK / "printed", "--only", "motion,position,f64", cwd=ROOT)
+    run("cargo", "run", "--quiet", "--offline", "-p", "linkage-command", "--", "export", "c",
+        WORK / "four_bar.rs", "-o", WORK / "printed", "--only", "motion,position,f64", cwd=ROOT)
     theirs()
     compared(["-O2"], "")
     compared(["-O3", "-march=x86-64-v3"], "-C target-cpu=x86-64-v3")

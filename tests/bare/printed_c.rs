@@ -1,4 +1,4 @@
-//! The C that `linkage c` prints beside the library of `export c;`: each function of both is called with the same
+//! The C that `linkage export c` prints beside the library of `export c;`: each function of both is called with the same
 //! random numbers, and with numbers some last places from a limit, and answers with the same bytes, status and error.
 //!
 //! A program in C calls them: `c_harness.rs` writes it, from the prototypes in the headers. `LINKAGE_CALLS` says how
@@ -19,7 +19,8 @@ fn printed(name: &str, source: &Path) -> PathBuf {
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("the tests' directory can be written");
     let output = Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--offline", "-p", "linkage-command", "--", "c"])
+        .args(["run", "--quiet", "--offline", "-p", "linkage-command", "--"])
+        .args(["export", "c"])
         .arg(source)
         .arg("-o")
         .arg(&folder)

@@ -2,17 +2,18 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
 /// The compiler of planar mechanisms: from drivers and Assur groups to static solvers.
 ///
-/// A mechanism is declared in a Rust file by `mechanism! { … }`; the file may hold a whole program, and several
-/// mechanisms. No Rust compiler is needed:
+/// A mechanism is declared by `mechanism! { … }` in a Rust file, which may hold a whole program and several mechanisms;
+/// or a file holds nothing but what stands between these braces. No Rust compiler is needed:
 ///
-///     linkage check shear.rs               mistakes, at their line and column
-///     linkage c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
+///     linkage check shear.rs                      mistakes, at their line and column
+///     linkage export c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
 ///     cc -std=c99 -O2 -c control/*.c
-///     linkage fmu press.rs -o press.fmu    a model for simulators, FMI 3.0
+///     linkage export fmu press.rs -o press.fmu    a model for simulators, FMI 3.0
 #[derive(Debug, Parser)]
 #[command(name = "linkage", version, verbatim_doc_comment, arg_required_else_help = true)]
 pub(crate) struct Arguments {
@@ -20,61 +21,93 @@ pub(crate) struct Arguments {
     pub command: Command,
 }
 
+/// The arguments; where they are none, the program ends and says what is nearest to a mistaken verb: `export fmu` to `fmu`,
+/// and all verbs where none is near.
+pub(crate) fn parsed() -> Arguments {
+    Arguments::try_parse().unwrap_or_else(|mut error| {
+        if let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) {
+            let format = Format::from_str(word, false).map(|_| vec![format!("export {word}")]);
+            let has_near = error.get(ContextKind::SuggestedSubcommand).is_some();
+            let verbs = || {
+                let command = Arguments::command();
+                command.get_subcommands().map(|verb| verb.get_name().to_string()).collect()
+            };
+            if format.is_ok() || !has_near {
+                let near = ContextValue::Strings(format.unwrap_or_else(|_| verbs()));
+                error.insert(ContextKind::SuggestedSubcommand, near);
+            }
+        }
+        error.exit()
+    })
+}
+
 /// A task for the compiler.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Say what is wrong with the declarations of some files
-    #[command(verbatim_doc_comment)]
     Check {
-        /// Rust programs
+        /// Rust programs, or declarations
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
+        /// The mechanism to check; all of them without this
+        #[arg(long, value_name = "NAME")]
+        machine: Option<String>,
     },
-    /// Print the Rust code that the declarations of a file become
-    Expand {
-        /// A Rust program
-        file: PathBuf,
-    },
-    /// Print the solvers of a file as C99
+    /// Print the solvers of a file as C99, as an FMU, or as Rust
     ///
-    /// For each mechanism a header and a source, and once `linkage_run.h` and `linkage_run.c`, which all of them need;
+    /// c: for each mechanism a header and a source, and once `linkage_run.h` and `linkage_run.c`, which all of them need;
     /// `linkage_root.c` too where a mechanism has an unknown, `linkage_friction.c` where joints rub.
     /// Functions, structs and status codes are those of `export c;`, and so are the answers, bit for bit.
     ///
-    ///     linkage c shear.rs -o control/
-    ///     linkage c shear.rs -o control/ --only motion_at,f32
+    ///     linkage export c shear.rs -o control/
+    ///     linkage export c shear.rs -o control/ --only motion_at,f32
     ///
     /// The sources are C99 and C++17, call nothing but <math.h>, and allocate nothing. Do not compile them with
     /// -ffast-math; a compiler other than gcc, clang and MSVC has to be told not to contract products into sums.
-    #[command(verbatim_doc_comment)]
-    C {
-        /// A Rust program
-        file: PathBuf,
-        /// The folder to write to
-        #[arg(short, long, value_name = "FOLDER", default_value = ".")]
-        output: PathBuf,
-        /// Entry points and widths to print, such as motion_at,f32; all of them without this
-        #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
-        only: Vec<String>,
-    },
-    /// Make an FMU (FMI 3.0) of the mechanism of a file
     ///
-    /// It is made for model exchange and for co-simulation, as sources and, where `cc` is there, as a library for this
-    /// machine. Where masses are declared for every input, the inputs and their rates are states, moved by the efforts
-    /// of the drives and by loads; elsewhere, or with --kinematic, inputs and both their rates are given. Numeric
-    /// parameters are tunable; modes are as declared. A pose out of reach is fmi3Discard, with the group's name in the
-    /// log.
+    /// fmu: a model of one mechanism for model exchange and for co-simulation (FMI 3.0), as sources and, where `cc` is
+    /// there, as a library for this machine. Where masses are declared for every input, the inputs and their rates are
+    /// states, moved by the efforts of the drives and by loads; elsewhere, or with --kinematic, inputs and both their
+    /// rates are given. Numeric parameters are tunable; modes are as declared. A pose out of reach is fmi3Discard, with
+    /// the group's name in the log.
     ///
-    ///     linkage fmu press.rs -o press.fmu
+    ///     linkage export fmu press.rs -o press.fmu
+    ///
+    /// rust: the code that the declarations become.
     #[command(verbatim_doc_comment)]
-    Fmu {
-        /// A Rust program with one mechanism
-        file: PathBuf,
-        /// The FMU to write
-        #[arg(short, long, value_name = "FILE")]
-        output: PathBuf,
-        /// Take inputs and their rates as given, whatever has mass
-        #[arg(long)]
-        kinematic: bool,
-    },
+    Export(Export),
+}
+
+/// The arguments of `export`.
+#[derive(Debug, Args)]
+pub(crate) struct Export {
+    /// The language or the format
+    #[arg(value_enum)]
+    pub format: Format,
+    /// A Rust program, or a declaration
+    pub file: PathBuf,
+    /// The folder for c, the file for fmu and rust. Without this, c and fmu go beside the source, and rust goes to
+    /// standard output
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+    /// The mechanism to print; all of them without this
+    #[arg(long, value_name = "NAME")]
+    pub machine: Option<String>,
+    /// For c: entry points and widths to print, such as motion_at,f32; all of them without this
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub only: Vec<String>,
+    /// Write nothing, and end with status 1 where what stands there is not what would be written
+    #[arg(long)]
+    pub stale: bool,
+    /// For fmu: take inputs and their rates as given, whatever has mass
+    #[arg(long)]
+    pub kinematic: bool,
+}
+
+/// The language or the format of a solver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    C,
+    Fmu,
+    Rust,
 }

@@ -7,20 +7,23 @@ use std::process::{self, Command};
 
 use linkage_compiler::File;
 
-use crate::program::{self, Failure};
+use crate::output::{self, Failure};
 use crate::zip;
 
-/// Writes the archive.
-pub(crate) fn write(output: &Path, files: Vec<File>) -> Result<(), Failure> {
+/// Writes the archive, or says that it is stale: its sources are not these. The library is made of them, and needs a
+/// compiler, so it is not compared.
+pub(crate) fn write(path: &Path, files: Vec<File>, is_compared: bool) -> Result<(), Failure> {
     let mut all: Vec<(String, Vec<u8>)> =
         files.into_iter().map(|file| (file.name, file.text.into_bytes())).collect();
+    if is_compared {
+        let is_same = |own: &[u8]| zip::begins(own, &all, "binaries/");
+        return if output::is_fresh(path, is_same) { Ok(()) } else { Err(Failure::Told) };
+    }
     match binary(&all)? {
         Some(binary) => all.push(binary),
         None => eprintln!("note: there is no `cc` here, so the FMU holds sources alone"),
     }
-    let unusable = |error| Failure::Unusable(format!("`{}`: {error}", output.display()));
-    fs::write(output, zip::archive(&all)).map_err(unusable)?;
-    program::print(&format!("{}\n", output.display()))
+    output::write(path, &zip::archive(&all))
 }
 
 /// The shared library of the sources; none without a compiler.

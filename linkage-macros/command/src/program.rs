@@ -1,25 +1,15 @@
-//! A file with declarations, and files that are written.
+//! A file with declarations.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use linkage_compiler::{Diagnostic, File, declarations};
-use proc_macro2::TokenStream;
+use linkage_compiler::{Diagnostic, declarations};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::messages;
+use crate::output::Failure;
 
-/// The reason why nothing was done.
-#[derive(Debug)]
-pub(crate) enum Failure {
-    /// Mistakes in declarations, which were reported.
-    Mistakes,
-    /// A file that cannot be used.
-    Unusable(String),
-}
-
-/// A Rust program.
+/// A Rust program, or a declaration alone.
 pub(crate) struct Program {
     path: PathBuf,
     text: String,
@@ -27,33 +17,49 @@ pub(crate) struct Program {
 
 impl Program {
     pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
-        let text = fs::read_to_string(path)
-            .map_err(|error| Failure::Unusable(format!("`{}`: {error}", path.display())))?;
+        let text = fs::read_to_string(path).map_err(Failure::of(path))?;
         Ok(Self { path: path.to_path_buf(), text })
     }
 
-    /// The declarations, of which there is at least one.
-    pub(crate) fn declarations(&self) -> Result<Vec<TokenStream>, Failure> {
+    /// The declarations, or the one of this name. There is at least one.
+    pub(crate) fn declarations(&self, machine: Option<&str>) -> Result<Vec<TokenStream>, Failure> {
         let tokens: TokenStream = self.text.parse().map_err(|error: proc_macro2::LexError| {
             let at = error.span().start();
             let place = format!("{}:{}:{}", self.path.display(), at.line, at.column + 1);
             Failure::Unusable(format!("{place}: this is not a Rust program: {error}"))
         })?;
-        let found = declarations(tokens);
+        let mut found = declarations(tokens.clone());
+        if found.is_empty() && is_declaration(&tokens) {
+            found.push(tokens);
+        }
         if found.is_empty() {
-            let why = format!("`{}` holds no `mechanism! {{ … }}`", self.path.display());
+            let why = format!(
+                "`{}` holds no `mechanism! {{ … }}`, and is not what stands between its braces",
+                self.path.display()
+            );
             return Err(Failure::Unusable(why));
         }
-        Ok(found)
+        let Some(machine) = machine else { return Ok(found) };
+        let names: Vec<String> = found.iter().filter_map(name).collect();
+        found.retain(|declaration| name(declaration).is_some_and(|name| name == machine));
+        match found.is_empty() {
+            false => Ok(found),
+            true => Err(Failure::Unusable(format!(
+                "`{}` holds no mechanism `{machine}`; there are {}",
+                self.path.display(),
+                names.join(", ")
+            ))),
+        }
     }
 
-    /// The results of all declarations where none has a mistake; otherwise all mistakes are reported.
+    /// The results of the declarations where none has a mistake; otherwise all mistakes are reported.
     pub(crate) fn all<T>(
         &self,
+        machine: Option<&str>,
         make: impl Fn(TokenStream) -> Result<T, Vec<Diagnostic>>,
     ) -> Result<Vec<T>, Failure> {
         let (mut made, mut is_clean) = (Vec::new(), true);
-        for declaration in self.declarations()? {
+        for declaration in self.declarations(machine)? {
             match make(declaration) {
                 Ok(one) => made.push(one),
                 Err(found) => {
@@ -62,7 +68,7 @@ impl Program {
                 }
             }
         }
-        if is_clean { Ok(made) } else { Err(Failure::Mistakes) }
+        if is_clean { Ok(made) } else { Err(Failure::Told) }
     }
 
     /// Writes mistakes to the standard error output.
@@ -73,35 +79,22 @@ impl Program {
     }
 }
 
-/// Writes files into a folder, which is made where there is none. Two of one name have to be alike, as the run-time
-/// of two mechanisms is.
-pub(crate) fn write(folder: &Path, files: impl Iterator<Item = File>) -> Result<(), Failure> {
-    let mut texts: BTreeMap<String, String> = BTreeMap::new();
-    for File { name, text, .. } in files {
-        if texts.get(&name).is_some_and(|other| *other != text) {
-            return Err(Failure::Unusable(format!("two mechanisms would be written to `{name}`")));
-        }
-        texts.insert(name, text);
-    }
-    let unusable = |path: &Path| {
-        let path = path.display().to_string();
-        move |error: io::Error| Failure::Unusable(format!("`{path}`: {error}"))
-    };
-    fs::create_dir_all(folder).map_err(unusable(folder))?;
-    for (name, text) in texts {
-        let path = folder.join(name);
-        fs::write(&path, text).map_err(unusable(&path))?;
-        print(&format!("{}\n", path.display()))?;
-    }
-    Ok(())
+/// True if a file is what stands between the braces of `mechanism! { … }`: a struct with its docs, and nothing behind it.
+fn is_declaration(tokens: &TokenStream) -> bool {
+    let is_brace = |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+    let mut trees = tokens.clone().into_iter().skip_while(|tree| match tree {
+        TokenTree::Ident(word) => word == "pub",
+        TokenTree::Punct(sign) => sign.as_char() == '#',
+        TokenTree::Group(group) => group.delimiter() != Delimiter::Brace,
+        TokenTree::Literal(_) => false,
+    });
+    let is_struct = trees.next().is_some_and(|tree| tree.to_string() == "struct");
+    is_struct && trees.by_ref().any(|tree| is_brace(&tree)) && trees.next().is_none()
 }
 
-/// A reader that has seen enough, as `head` has, makes no mistake.
-pub(crate) fn print(text: &str) -> Result<(), Failure> {
-    match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::Unusable(error.to_string()))
-        }
-        _ => Ok(()),
-    }
+/// The name of a declaration: the word behind `struct`.
+fn name(declaration: &TokenStream) -> Option<String> {
+    let mut trees = declaration.clone().into_iter();
+    trees.by_ref().find(|tree| matches!(tree, TokenTree::Ident(word) if word == "struct"))?;
+    trees.next().map(|tree| tree.to_string())
 }

@@ -1,5 +1,10 @@
 //! A ZIP archive of files as they are, without compression.
 
+/// The signature of an entry.
+const ENTRY: u32 = 0x0403_4b50;
+/// The signature of an entry's line in the directory.
+const DIRECTORY: u32 = 0x0201_4b50;
+
 /// Appends a number, the last significant byte first.
 fn put(bytes: &mut Vec<u8>, number: u32, count: usize) {
     bytes.extend(&number.to_le_bytes()[..count]);
@@ -26,19 +31,35 @@ fn properties(name: &str, content: &[u8]) -> Vec<u8> {
     bytes
 }
 
+/// The entry of a file: its properties, its name, and its content.
+fn entry(name: &str, content: &[u8]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    put(&mut bytes, ENTRY, 4);
+    bytes.extend(properties(name, content));
+    bytes.extend(name.as_bytes());
+    bytes.extend(content);
+    bytes
+}
+
+/// True if an archive holds these files first, as they are, and behind them those of one folder alone, or none.
+pub(crate) fn begins(archive: &[u8], files: &[(String, Vec<u8>)], folder: &str) -> bool {
+    let entries: Vec<u8> = files.iter().flat_map(|(name, content)| entry(name, content)).collect();
+    let Some(rest) = archive.strip_prefix(&entries[..]) else { return false };
+    // The name stands behind the signature and the properties.
+    let name = rest.get(4 + properties("", b"").len()..).unwrap_or_default();
+    rest.starts_with(&DIRECTORY.to_le_bytes())
+        || rest.starts_with(&ENTRY.to_le_bytes()) && name.starts_with(folder.as_bytes())
+}
+
 /// The archive of these files, by their names.
 pub(crate) fn archive(files: &[(String, Vec<u8>)]) -> Vec<u8> {
     let (mut bytes, mut directory) = (Vec::new(), Vec::new());
     for (name, content) in files {
         let start = u32::try_from(bytes.len()).expect("an archive is smaller than four gigabytes");
-        let properties = properties(name, content);
-        put(&mut bytes, 0x0403_4b50, 4);
-        bytes.extend(&properties);
-        bytes.extend(name.as_bytes());
-        bytes.extend(content);
-        put(&mut directory, 0x0201_4b50, 4);
+        bytes.extend(entry(name, content));
+        put(&mut directory, DIRECTORY, 4);
         put(&mut directory, 20, 2);
-        directory.extend(&properties);
+        directory.extend(properties(name, content));
         // No comment, the first disk, no attributes.
         put(&mut directory, 0, 4);
         put(&mut directory, 0, 2);

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const PRINT: &str = "cargo run -p linkage-command -- c examples/c_controller/shear.rs \
+const PRINT: &str = "cargo run -p linkage-command -- export c examples/c_controller/shear.rs \
                      -o examples/c_controller/solver --only motion,f32";
 
 fn example() -> PathBuf {
@@ -18,7 +18,7 @@ fn example() -> PathBuf {
 fn printed_files_are_up_to_date() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("c_controller");
     let output = Command::new(env!("CARGO_BIN_EXE_linkage"))
-        .arg("c")
+        .args(["export", "c"])
         .arg(example().join("shear.rs"))
         .arg("-o")
         .arg(&folder)

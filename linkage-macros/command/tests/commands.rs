@@ -119,9 +119,19 @@ fn the_exit_status_tells_a_mistake_from_a_file_that_is_none() {
         (&["check", "none.rs"], 2, "`none.rs`: "),
         (&["check"], 2, "<FILE>"),
         (&["chekc", "shear.rs"], 2, "'check'"),
-        (&["expand", "mistaken.rs"], 1, "mistaken.rs:8"),
-        (&["c", "mistaken.rs", "-o", "out"], 1, "mistaken.rs:8"),
-        (&["c", "shear.rs", "-o", "out", "--only", "motoin"], 1, "there are position, "),
+        (&["export", "rust", "mistaken.rs"], 1, "mistaken.rs:8"),
+        (&["export", "c", "mistaken.rs", "-o", "out"], 1, "mistaken.rs:8"),
+        (&["export", "c", "shear.rs", "-o", "out", "--only", "motoin"], 1, "there are position, "),
+        (&["exprot", "c", "shear.rs"], 2, "'export'"),
+        (&["fmu", "shear.rs"], 2, "'export fmu'"),
+        (&["c", "shear.rs"], 2, "'export c'"),
+        (&["solve", "shear.rs"], 2, "'check', "),
+        (&["export", "fmuu", "shear.rs"], 2, "'fmu'"),
+        (&["export", "c", "shear.rs", "--kinematic"], 2, "`--kinematic` belongs to `export fmu`"),
+        (&["export", "rust", "shear.rs", "--only", "f32"], 2, "`--only` belongs to `export c`"),
+        (&["export", "rust", "shear.rs", "--stale"], 2, "name it by `-o PATH`"),
+        (&["export", "fmu", "shear.rs"], 2, "choose it by `--machine NAME`"),
+        (&["check", "shear.rs", "--machine", "Crnk"], 2, "there are FlyingShear, Crank"),
     ] {
         let output = linkage(arguments, &folder);
         let errors = text(&output.stderr);
@@ -135,7 +145,7 @@ fn the_exit_status_tells_a_mistake_from_a_file_that_is_none() {
 #[test]
 fn every_mechanism_of_a_file_is_printed() {
     let folder = folder("printed", &[("shear.rs", SHEAR)]);
-    let output = linkage(&["c", "shear.rs", "-o", "out/c"], &folder);
+    let output = linkage(&["export", "c", "shear.rs", "-o", "out/c"], &folder);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let mut names: Vec<String> = fs::read_dir(folder.join("out/c"))
         .expect("it was made")
@@ -158,7 +168,7 @@ fn every_mechanism_of_a_file_is_printed() {
 fn only_what_is_asked_for_is_printed() {
     let folder = folder("only", &[("shear.rs", SHEAR)]);
     let functions = |only: &str| {
-        let output = linkage(&["c", "shear.rs", "-o", "out", "--only", only], &folder);
+        let output = linkage(&["export", "c", "shear.rs", "-o", "out", "--only", only], &folder);
         assert!(output.status.success(), "{}", text(&output.stderr));
         let header = fs::read_to_string(folder.join("out/flying_shear.h")).expect("it was written");
         let lines =
@@ -177,7 +187,7 @@ fn only_what_is_asked_for_is_printed() {
 #[test]
 fn an_expansion_is_rust() {
     let folder = folder("expanded", &[("shear.rs", SHEAR)]);
-    let output = linkage(&["expand", "shear.rs"], &folder);
+    let output = linkage(&["export", "rust", "shear.rs"], &folder);
     assert!(output.status.success());
     let code = text(&output.stdout);
     let file = syn::parse_file(&code).expect("it is Rust");
@@ -192,18 +202,93 @@ fn an_expansion_is_rust() {
 fn help_teaches_by_examples() {
     let folder = folder("help", &[]);
     let help = text(&linkage(&["--help"], &folder).stdout);
-    for words in ["linkage check shear.rs", "linkage c shear.rs -o control/", "expand"] {
+    for words in ["linkage check shear.rs", "linkage export c shear.rs -o control/", "export"] {
         assert!(help.contains(words), "{words}: {help}");
     }
-    assert!(text(&linkage(&["c", "--help"], &folder).stdout).contains("--only motion_at,f32"));
+    assert!(text(&linkage(&["export", "--help"], &folder).stdout).contains("--only motion_at,f32"));
 }
 
 #[test]
 fn a_reader_may_see_enough() {
     let folder = folder("enough", &[("shear.rs", SHEAR)]);
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
-    command.args(["expand", "shear.rs"]).current_dir(&folder);
+    command.args(["export", "rust", "shear.rs"]).current_dir(&folder);
     let mut child = command.stdout(Stdio::piped()).spawn().expect("the program starts");
     drop(child.stdout.take());
     assert!(child.wait().expect("it ends").success());
+}
+
+/// A declaration without the macro around it, with docs and without.
+#[test]
+fn a_file_may_hold_a_declaration_alone() {
+    let crank =
+        "struct Crank { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 2, angle: t } }";
+    let folder = folder(
+        "alone",
+        &[
+            ("crank.mech", crank),
+            ("docs.mech", &format!("// A comment.\n\n/// A crank.\npub(crate) {crank}\n")),
+            ("mistaken.mech", &crank.replace("length: 2", "length: 2kg")),
+            ("more.rs", &format!("{crank} fn main() {{}}")),
+        ],
+    );
+    for (file, status, words) in [
+        ("crank.mech", 0, ""),
+        ("docs.mech", 0, ""),
+        ("mistaken.mech", 1, " --> mistaken.mech:1:75"),
+        ("more.rs", 2, "is not what stands between its braces"),
+    ] {
+        let output = linkage(&["check", file], &folder);
+        let errors = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(status), "{file}: {errors}");
+        assert!(errors.contains(words), "{file}: {errors}");
+    }
+    let output = linkage(&["export", "c", "docs.mech"], &folder);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(folder.join("crank.h").exists(), "C goes beside the source");
+}
+
+#[test]
+fn one_mechanism_of_several_is_chosen() {
+    let folder = folder("chosen", &[("shear.rs", SHEAR)]);
+    let output = linkage(&["export", "c", "shear.rs", "--machine", "Crank", "-o", "out"], &folder);
+    let written = text(&output.stdout);
+    assert!(written.contains("crank.c") && !written.contains("flying_shear"), "{written}");
+    let output = linkage(&["export", "rust", "shear.rs", "--machine", "Crank"], &folder);
+    let code = text(&output.stdout);
+    assert!(code.contains("struct Crank") && !code.contains("FlyingShear"));
+}
+
+/// Each format is written, is fresh, and is stale when the declaration changes or a file is lost.
+#[test]
+fn what_is_stale_is_told_and_left_alone() {
+    let folder = folder("stale", &[("shear.rs", SHEAR)]);
+    let formats: [(&[&str], &str); 3] = [
+        (&["export", "c", "shear.rs", "-o", "out"], "out/crank.c"),
+        (&["export", "rust", "shear.rs", "-o", "shear_solver.rs"], "shear_solver.rs"),
+        (&["export", "fmu", "shear.rs", "--machine", "Crank", "-o", "crank.fmu"], "crank.fmu"),
+    ];
+    let compared = |arguments: &[&str]| {
+        let output = linkage(&[arguments, &["--stale"]].concat(), &folder);
+        assert!(output.stdout.is_empty());
+        (output.status.code(), text(&output.stderr))
+    };
+    for (arguments, file) in formats {
+        let (status, errors) = compared(arguments);
+        assert_eq!(status, Some(1));
+        assert!(errors.contains(&format!("`{file}` is stale: it is not there")), "{errors}");
+        assert!(!folder.join(file).exists());
+        assert!(linkage(arguments, &folder).status.success());
+        assert_eq!(compared(arguments), (Some(0), String::new()), "{arguments:?}");
+    }
+    let changed = SHEAR.replace("length: 2,", "length: 3,");
+    fs::write(folder.join("shear.rs"), changed).expect("a file can be written");
+    for (arguments, file) in formats {
+        let before = fs::read(folder.join(file)).expect("it was written");
+        let (status, errors) = compared(arguments);
+        assert_eq!(status, Some(1));
+        let told: Vec<_> = errors.lines().collect();
+        assert_eq!(told, [format!("error: `{file}` is stale: it is not what would be written")]);
+        assert_eq!(fs::read(folder.join(file)).expect("it stands there"), before);
+    }
 }

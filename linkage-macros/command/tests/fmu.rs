@@ -13,7 +13,7 @@ include!("data/press.rs");
 fn fmu(source: &str, name: &str, flags: &[&str]) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let output = Command::new(env!("CARGO_BIN_EXE_linkage"))
-        .args(["fmu", &format!("tests/data/{source}.rs"), "-o"])
+        .args(["export", "fmu", &format!("tests/data/{source}.rs"), "-o"])
         .arg(&path)
         .args(flags)
         .current_dir(env!("CARGO_MANIFEST_DIR"))

@@ -1,0 +1,96 @@
+//! Files that are written, or compared with what stands there.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use linkage_compiler::File;
+
+/// The reason why nothing was done.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// Mistakes or stale files, which were told.
+    Told,
+    /// Arguments or a file that cannot be used.
+    Unusable(String),
+}
+
+impl Failure {
+    /// A file that cannot be read or written.
+    pub(crate) fn of(path: &Path) -> impl Fn(io::Error) -> Self {
+        let path = path.display().to_string();
+        move |error| Self::Unusable(format!("`{path}`: {error}"))
+    }
+}
+
+/// Writes files into a folder, which is made where there is none, or says which of them are stale. Two of one name have
+/// to be alike, as the run-time of two mechanisms is.
+pub(crate) fn files(
+    folder: &Path,
+    files: impl Iterator<Item = File>,
+    is_compared: bool,
+) -> Result<(), Failure> {
+    let mut texts: BTreeMap<PathBuf, String> = BTreeMap::new();
+    for File { name, text, .. } in files {
+        let path = folder.join(&name);
+        if texts.get(&path).is_some_and(|other| *other != text) {
+            return Err(Failure::Unusable(format!("two mechanisms would be written to `{name}`")));
+        }
+        texts.insert(path, text);
+    }
+    if is_compared {
+        let stale =
+            texts.iter().filter(|(path, text)| !is_fresh(path, |own| own == text.as_bytes()));
+        // All of them are told.
+        return if stale.count() == 0 { Ok(()) } else { Err(Failure::Told) };
+    }
+    fs::create_dir_all(folder).map_err(Failure::of(folder))?;
+    for (path, text) in texts {
+        write(&path, text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Writes a text to a file or, without one, to standard output; or says that the file is stale.
+pub(crate) fn text(path: Option<&Path>, text: &str, is_compared: bool) -> Result<(), Failure> {
+    match path {
+        None if is_compared => {
+            Err(Failure::Unusable("`--stale` compares with a file: name it by `-o PATH`".into()))
+        }
+        None => print(text),
+        Some(path) if is_compared => match is_fresh(path, |own| own == text.as_bytes()) {
+            true => Ok(()),
+            false => Err(Failure::Told),
+        },
+        Some(path) => write(path, text.as_bytes()),
+    }
+}
+
+/// Writes a file, and prints its name.
+pub(crate) fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
+    fs::write(path, content).map_err(Failure::of(path))?;
+    print(&format!("{}\n", path.display()))
+}
+
+/// True where a file's content passes; otherwise the file is told.
+pub(crate) fn is_fresh(path: &Path, passes: impl Fn(&[u8]) -> bool) -> bool {
+    let why = match fs::read(path) {
+        Ok(own) if passes(&own) => return true,
+        Ok(_) => "is stale: it is not what would be written".to_string(),
+        Err(error) if error.kind() == ErrorKind::NotFound => "is stale: it is not there".into(),
+        Err(error) => format!("cannot be read: {error}"),
+    };
+    eprintln!("error: `{}` {why}", path.display());
+    false
+}
+
+/// A reader that has seen enough, as `head` has, makes no mistake.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    match io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::Unusable(error.to_string()))
+        }
+        _ => Ok(()),
+    }
+}
