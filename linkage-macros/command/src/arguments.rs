@@ -11,6 +11,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 /// or a file holds nothing but what stands between these braces. No Rust compiler is needed:
 ///
 ///     linkage check shear.rs                      mistakes, at their line and column
+///     linkage import machine.json -o machine.rs   a machine of PMKS+, pyslvs or pylinkage as a declaration
 ///     linkage export c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
 ///     cc -std=c99 -O2 -c control/*.c
 ///     linkage export fmu press.rs -o press.fmu    a model for simulators, FMI 3.0
@@ -53,6 +54,13 @@ pub(crate) enum Command {
         #[arg(long, value_name = "NAME")]
         machine: Option<String>,
     },
+    /// Print a machine of PMKS+, pyslvs or pylinkage as a declaration
+    ///
+    ///     linkage import 'https://app.pmksplus.com/?2P.Fe.K,0.1011.MA,A,0,0,0…' -o machine.rs
+    ///     linkage import machine.json --unit m
+    ///     linkage import machine.txt --drive 0,1
+    #[command(verbatim_doc_comment)]
+    Import(Import),
     /// Print the solvers of a file as C99, as an FMU, or as Rust
     ///
     /// c: for each mechanism a header and a source, and once `linkage_run.h` and `linkage_run.c`, which all of them need;
@@ -76,6 +84,29 @@ pub(crate) enum Command {
     /// rust: the code that the declarations become.
     #[command(verbatim_doc_comment)]
     Export(Export),
+}
+
+/// The arguments of `import`.
+#[derive(Debug, Args)]
+pub(crate) struct Import {
+    /// An address of PMKS+, or a file with an address, a pyslvs expression or pylinkage's JSON; `-` is standard input
+    pub source: String,
+    /// The file to write; without this, standard output
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+    /// The name of the mechanism
+    #[arg(long)]
+    pub name: Option<String>,
+    /// The unit of coordinates. An address states its own; elsewhere it is the millimetre
+    #[arg(long, value_parser = ["m", "mm", "cm", "in", "ft"])]
+    pub unit: Option<String>,
+    /// Two joints of a pyslvs expression, by their indices: the link through both is turned about the first. One joint
+    /// twice: its block is slid
+    #[arg(long, value_name = "I,J")]
+    pub drive: Vec<String>,
+    /// Write nothing, and end with status 1 where what stands there is not what would be written
+    #[arg(long)]
+    pub stale: bool,
 }
 
 /// The arguments of `export`.

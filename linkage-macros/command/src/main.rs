@@ -1,11 +1,12 @@
 //! `linkage`: the compiler of mechanisms without a Rust compiler.
 //!
-//! The exit status is 0 where all is well, 1 where a declaration has a mistake or a file is stale, 2 where the arguments
+//! The exit status is 0 where all is well, 1 where a machine has a mistake or a file is stale, 2 where the arguments
 //! or a file cannot be used.
 
 mod arguments;
 mod export;
 mod fmu;
+mod import;
 mod messages;
 mod output;
 mod program;
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
 fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Check { files, machine } => check(&files, machine.as_deref()),
+        Command::Import(arguments) => import::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
     }
 }

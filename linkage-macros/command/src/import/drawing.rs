@@ -1,6 +1,6 @@
 //! A machine in one pose, by the names that it has where it comes from.
 
-use crate::Mistake;
+use super::Mistake;
 
 pub(crate) struct Drawing {
     /// The name of the solver.

@@ -12,8 +12,8 @@
 
 use serde::Deserialize;
 
-use crate::Mistake;
-use crate::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
+use super::Mistake;
+use super::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
 
 #[derive(Deserialize)]
 struct Mechanism {

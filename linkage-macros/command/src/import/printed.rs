@@ -1,8 +1,8 @@
 //! A drawing as the text of a declaration.
 
-use crate::Mistake;
-use crate::drawing::{Angle, Drawing, Drive, Force, Guide, Line, Link, Mass, Pin};
-use crate::names::{self, Kind, Names};
+use super::Mistake;
+use super::drawing::{Angle, Drawing, Drive, Force, Guide, Line, Link, Mass, Pin};
+use super::names::{self, Kind, Names};
 
 /// The declaration, a statement a line.
 pub(crate) fn declaration(drawing: &Drawing) -> Result<String, Mistake> {

@@ -49,11 +49,12 @@ pub(crate) fn given(text: &str, arguments: &[&str]) -> Result<String, String> {
 
 /// The code that the program ends with, what it prints and what it says of a text.
 pub(crate) fn given_or_ended(text: &str, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let mut program = Command::new(env!("CARGO_BIN_EXE_import"));
-    program.arg("-").args(arguments);
+    let mut program = Command::new(env!("CARGO_BIN_EXE_linkage"));
+    program.args(["import", "-"]).args(arguments);
     program.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut running = program.spawn().expect("the program starts");
-    running.stdin.take().expect("it reads").write_all(text.as_bytes()).expect("it takes the text");
+    // A program that refuses its arguments ends without reading.
+    let _ = running.stdin.take().expect("it reads").write_all(text.as_bytes());
     let output = running.wait_with_output().expect("the program ends");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("it is text");
     (output.status.code(), text(output.stdout), text(output.stderr))

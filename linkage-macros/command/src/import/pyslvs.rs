@@ -7,8 +7,8 @@
 //! | `J[P, A[angle], …]` | a guide on its first link, on which the others slide |
 //! | a pair of inputs | the link through both joints is turned about the first; a joint twice: its block is slid |
 
-use crate::Mistake;
-use crate::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
+use super::Mistake;
+use super::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
 
 /// A joint of the expression.
 struct Joint {

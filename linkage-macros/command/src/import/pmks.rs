@@ -15,8 +15,8 @@
 //!
 //! An address carries no gravity.
 
-use crate::Mistake;
-use crate::drawing::{Angle, Drawing, Drive, Force, Guide, Line, Link, Mass, Pin};
+use super::Mistake;
+use super::drawing::{Angle, Drawing, Drive, Force, Guide, Line, Link, Mass, Pin};
 
 const DIGITS: &str = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
 /// The count of settings in front of the joints.

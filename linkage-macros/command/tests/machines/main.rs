@@ -1,7 +1,8 @@
 //! Machines drawn for this project, written in the formats of PMKS+, pyslvs and pylinkage: what the program prints of
 //! them compiles, and stands where it is drawn.
 //!
-//! The printed declarations are in `declarations`, which `LINKAGE_RENEW=1 cargo test -p import` writes.
+//! The printed declarations are in `declarations`, which `LINKAGE_RENEW=1 cargo test -p linkage-command --test machines`
+//! writes.
 
 mod attacked;
 mod declarations;
@@ -122,7 +123,10 @@ fn what_is_compiled_here_is_what_is_printed() {
             std::fs::write(&path, &printed).expect("the file is written");
         }
         let stored = std::fs::read_to_string(&path).expect("it is there");
-        assert!(stored == printed, "LINKAGE_RENEW=1 cargo test -p import writes {folder}.rs");
+        assert!(
+            stored == printed,
+            "LINKAGE_RENEW=1 cargo test -p linkage-command --test machines writes {folder}.rs"
+        );
     }
 }
 
