@@ -1,5 +1,7 @@
 //! A machine in one pose, by the names that it has where it comes from.
 
+use std::collections::HashSet;
+
 use super::Mistake;
 
 pub(crate) struct Drawing {
@@ -15,6 +17,8 @@ pub(crate) struct Drawing {
     pub forces: Vec<Force>,
     /// The parts of the machine that have no counterpart here, for a comment.
     pub left_out: Vec<String>,
+    /// The places where this drawing is another than the one that came, a sentence each, for a comment.
+    pub remarks: Vec<String>,
 }
 
 pub(crate) struct Pin {
@@ -102,6 +106,7 @@ impl Drawing {
             masses: Vec::new(),
             forces: Vec::new(),
             left_out: Vec::new(),
+            remarks: Vec::new(),
         }
     }
 
@@ -121,6 +126,26 @@ impl Drawing {
             self.links.len() - 1
         });
         &mut self.links[index]
+    }
+
+    /// Makes one link of two, by the name of the first.
+    pub(crate) fn merge(&mut self, first: &str, other: &str) {
+        let Some(at) = self.links.iter().position(|link| link.id == other) else { return };
+        let Link { pins, on, .. } = self.links.remove(at);
+        let link = self.link_named(first);
+        link.pins.extend(pins);
+        link.on.extend(on);
+        let mut seen = HashSet::new();
+        link.pins.retain(|pin| seen.insert(pin.clone()));
+        let links = self.drives.iter_mut().flat_map(|drive| match drive {
+            Drive::Angle { link, against } => [Some(link), against.as_mut()],
+            Drive::Slide { link } => [Some(link), None],
+        });
+        let links =
+            links.flatten().chain(self.guides.iter_mut().filter_map(|guide| guide.on.as_mut()));
+        let links = links.chain(self.masses.iter_mut().map(|mass| &mut mass.link));
+        let links = links.chain(self.forces.iter_mut().map(|force| &mut force.link));
+        links.filter(|link| link.as_str() == other).for_each(|link| *link = first.to_string());
     }
 
     /// The links through a pin.

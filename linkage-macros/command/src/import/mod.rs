@@ -46,9 +46,11 @@ fn text(source: &str) -> Result<String, Failure> {
         let read = io::stdin().read_to_string(&mut text);
         return read.map(|_| text).map_err(Failure::of(Path::new("standard input")));
     }
-    match source.contains("://") {
+    let path = Path::new(source);
+    let is_address = source.contains("://") || source.contains('?') && !path.exists();
+    match is_address {
         true => Ok(source.to_string()),
-        false => fs::read_to_string(source).map_err(Failure::of(Path::new(source))),
+        false => fs::read_to_string(path).map_err(Failure::of(path)),
     }
 }
 

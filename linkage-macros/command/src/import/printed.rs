@@ -42,8 +42,11 @@ impl Printer<'_> {
             let pins = drawing.pins.iter().filter(|pin| pin.is_ground == is_ground);
             pins.collect::<Vec<_>>()
         });
-        let mut lines: Vec<_> =
-            drawing.left_out.iter().map(|what| format!("// Left out: {what}.")).collect();
+        let left_out = drawing.left_out.iter().map(|what| format!("// Left out: {what}."));
+        let remarks = drawing.remarks.iter().map(|remark| format!("// {remark}."));
+        // A comment is one line, whatever stands in a title.
+        let in_line = |text: String| text.replace(char::is_control, " ");
+        let mut lines: Vec<_> = left_out.chain(remarks).map(in_line).collect();
         lines.extend(inputs);
         lines.extend(self.pins("ground", &ground)?);
         lines.extend(self.pins("pin", &moving)?);

@@ -10,7 +10,10 @@
 //!
 //! `slide_distance` is a coordinate, not a dimension: the drawing says where the block is.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
+use serde_json::Value;
 
 use super::Mistake;
 use super::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
@@ -42,6 +45,9 @@ struct Member {
     kind: String,
     #[serde(default)]
     joints: Vec<String>,
+    /// The speed and the arc of a driver.
+    #[serde(flatten)]
+    more: BTreeMap<String, Value>,
 }
 
 fn revolute() -> String {
@@ -118,6 +124,11 @@ fn draw_link(drawing: &mut Drawing, link: &Member) -> Result<(), Mistake> {
             return Err(format!("the driver `{}` has no joint on the ground", link.id));
         }
         drawing.drives.push(Drive::Angle { link: link.id.clone(), against: None });
+        let motion = link.more.iter().filter(|(name, value)| {
+            value.is_number() && (*name == "angular_velocity" || name.starts_with("arc"))
+        });
+        let motion = motion.map(|(name, value)| format!("`{name}` of `{}`, {value}", link.id));
+        drawing.left_out.extend(motion);
     }
     drawing.links.push(Link { id: link.id.clone(), pins: link.joints.clone(), on: Vec::new() });
     Ok(())

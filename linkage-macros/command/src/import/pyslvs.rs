@@ -33,6 +33,9 @@ pub(crate) fn read(text: &str, drives: &[String]) -> Result<Drawing, Mistake> {
     let text = uncommented(text);
     let joints = Cursor { text: &text, at: 0 }.expression()?;
     let mut drawing = Drawing::new("Machine", "mm");
+    if text.contains("color[") {
+        drawing.left_out.push("colours".to_string());
+    }
     for (index, joint) in joints.iter().enumerate() {
         draw(&mut drawing, index, joint)?;
     }

@@ -66,7 +66,7 @@ fn counted(text: &str) -> String {
     let Some((front, query)) = text.split_once('?') else { return text.to_string() };
     let Some((last, _)) = query.char_indices().last() else { return text.to_string() };
     let query = &query[..last];
-    format!("{front}?{query}{}", DIGITS[query.len() % 62] as char)
+    format!("{front}?{query}{}", DIGITS[query.encode_utf16().count() % 62] as char)
 }
 
 /// The text with one place changed: cut off, a piece put in, a piece taken out, or two characters exchanged.

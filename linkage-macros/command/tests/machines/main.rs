@@ -5,6 +5,7 @@
 //! writes.
 
 mod attacked;
+mod changes;
 mod declarations;
 mod mistakes;
 mod program;
@@ -66,12 +67,17 @@ stand! {
     pmks_driven_elbow PmksDrivenElbow "pmks/driven_elbow.txt"
     pmks_four_bar PmksFourBar "pmks/four_bar.txt"
     pmks_loaded_four_bar PmksLoadedFourBar "pmks/loaded_four_bar.txt"
+    pmks_older PmksOlder "pmks/older.txt"
     pmks_peaucellier PmksPeaucellier "pmks/peaucellier.txt"
     pmks_slider_crank PmksSliderCrank "pmks/slider_crank.txt"
     pmks_slotted_coupler PmksSlottedCoupler "pmks/slotted_coupler.txt"
     pmks_stephenson_3 PmksStephenson3 "pmks/stephenson_3.txt"
     pmks_triad PmksTriad "pmks/triad.txt"
+    pmks_upright_slider PmksUprightSlider "pmks/upright_slider.txt"
     pmks_watt_1 PmksWatt1 "pmks/watt_1.txt"
+    pmks_welded_cylinder PmksWeldedCylinder "pmks/welded_cylinder.txt"
+    pmks_welded_parts PmksWeldedParts "pmks/welded_parts.txt"
+    pmks_welded_yoke PmksWeldedYoke "pmks/welded_yoke.txt"
     pylinkage_coupler_curve PylinkageCouplerCurve "pylinkage/coupler_curve.json"
     pylinkage_four_bar PylinkageFourBar "pylinkage/four_bar.json"
     pylinkage_slider_crank PylinkageSliderCrank "pylinkage/slider_crank.json"

@@ -176,6 +176,42 @@ fn objects() {
     );
 }
 
+#[test]
+fn older_addresses() {
+    let crank = "a,0,0,ab,R,t,Null,t%0Ab,1,0,ab,R,f,Null,f";
+    let cases = [
+        (
+            "a,0,0,ab,R,t,Null",
+            "ab,R,1,1,0,0,a,",
+            "",
+            "`a,0,0,ab,R,t,Null` is no joint: its fields are name, x, y, links, type, ground, angle and input",
+        ),
+        ("a,Null,0,ab,R,t,Null,t", "ab,R,1,1,0,0,a,", "", "`Null` is no number"),
+        ("a,0,0,ab,R,yes,Null,t", "ab,R,1,1,0,0,a,", "", "`yes` is neither `t` nor `f`"),
+        ("a,0,0,ab,???,t,Null,t", "ab,R,1,1,0,0,a,", "", "`a` is neither `R` nor `P`"),
+        (crank, "ab,R,1,1", "", "`ab,R,1,1` is no link: it ends in front of its joints"),
+        (crank, "ab,R,1,1,0,0,a%7Cc,", "", "`ab` names a joint `c`, and there is none"),
+        (
+            crank,
+            "ab,R,1,1,0,0,a%7Cb,",
+            "F1,ab,0,0",
+            "`F1,ab,0,0` is no force: its fields are name, link, two places of two numbers, two marks and the magnitude",
+        ),
+        (
+            crank,
+            "ab,R,1,1,0,0,a%7Cb,",
+            "F1,bc,0,0,1,0,t,t,1",
+            "the force `F1` acts on `bc`, which is no link",
+        ),
+    ];
+    for (joints, links, forces, told) in cases {
+        let text = format!("app.pmksplus.com/?j={joints}&l={links}&f={forces}&s=10,false,false,cm");
+        check(&text, &[], told);
+    }
+    let text = format!("?j={crank}&l=&s=10,false,false,yd");
+    check(&text, &[], "the address has no unit of length that is known");
+}
+
 /// Names become identifiers, each for one thing, and the solver is named as the machine is.
 #[test]
 fn names() {

@@ -5,6 +5,8 @@ use linkage_core::mechanism;
 // pmks/boom.txt
 mechanism! {
     pub struct PmksBoom {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input s: length;
         ground A(0, 0), C(70cm, -20cm);
@@ -20,6 +22,8 @@ mechanism! {
 // pmks/driven_elbow.txt
 mechanism! {
     pub struct PmksDrivenElbow {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(400cm, 0);
@@ -34,6 +38,8 @@ mechanism! {
 // pmks/four_bar.txt
 mechanism! {
     pub struct PmksFourBar {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(400cm, 0);
@@ -48,6 +54,8 @@ mechanism! {
 // pmks/loaded_four_bar.txt
 mechanism! {
     pub struct PmksLoadedFourBar {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         input theta: angle;
         ground A(0, 0), D(400cm, 0);
         pin B(50cm, 90cm), C(320cm, 260cm);
@@ -64,9 +72,32 @@ mechanism! {
     }
 }
 
+// pmks/older.txt
+mechanism! {
+    pub struct PmksOlder {
+        // Left out: the speed of the input, 10 rpm.
+        // Left out: gravity.
+        input theta: angle;
+        ground a(0, 0);
+        pin b(6cm, 5cm), c(26cm, 1cm);
+        guide guide_d through (26cm, 1cm) along 45deg;
+        link ab(a, b);
+        link bc(b, c);
+        link cd(c) on guide_d;
+        drive ab.angle = theta;
+        mass 1g on ab at (3.905124837953cm, 0) inertia 1(kg*cm^2);
+        mass 2.5g on bc at (10.198039027186cm, 0) inertia 1(kg*cm^2);
+        mass 1g on cd at (0, 0) inertia 0(kg*cm^2);
+        point F1 on bc at (4.118438837902cm, -0.196116135138cm);
+        force (3N, 4N) on F1;
+    }
+}
+
 // pmks/peaucellier.txt
 mechanism! {
     pub struct PmksPeaucellier {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground O(0, 0), A(13cm, 0);
@@ -85,6 +116,8 @@ mechanism! {
 // pmks/slider_crank.txt
 mechanism! {
     pub struct PmksSliderCrank {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0);
@@ -100,6 +133,8 @@ mechanism! {
 // pmks/slotted_coupler.txt
 mechanism! {
     pub struct PmksSlottedCoupler {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(70cm, 0), E(30cm, 55cm);
@@ -117,6 +152,8 @@ mechanism! {
 // pmks/stephenson_3.txt
 mechanism! {
     pub struct PmksStephenson3 {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(320cm, 20cm), G(600cm, 10cm);
@@ -133,6 +170,8 @@ mechanism! {
 // pmks/triad.txt
 mechanism! {
     pub struct PmksTriad {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(460cm, 20cm), E(40cm, 420cm);
@@ -146,9 +185,29 @@ mechanism! {
     }
 }
 
+// pmks/upright_slider.txt
+mechanism! {
+    pub struct PmksUprightSlider {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
+        // Left out: masses of links, which are as PMKS+ sets them.
+        // `guide_Z` is along 90deg, which PMKS+ wrote as 1.571 rad.
+        input theta: angle;
+        ground A(0, 0);
+        pin B(5cm, -3cm), C(1cm, 20cm);
+        guide guide_Z through (1cm, 20cm) along 90deg;
+        link AB(A, B);
+        link BC(B, C);
+        link ram(C) on guide_Z;
+        drive AB.angle = theta;
+    }
+}
+
 // pmks/watt_1.txt
 mechanism! {
     pub struct PmksWatt1 {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
         ground A(0, 0), D(300cm, 0);
@@ -158,6 +217,60 @@ mechanism! {
         link DC(D, C, G);
         link EF(E, F);
         link GF(G, F);
+        drive AB.angle = theta;
+    }
+}
+
+// pmks/welded_cylinder.txt
+mechanism! {
+    pub struct PmksWeldedCylinder {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
+        // Left out: masses of links, which are as PMKS+ sets them.
+        // `PS` is welded to `PC` at `P`: both are `PC`.
+        input s: length;
+        ground O(0, 0), G(4cm, 0);
+        pin C(0, 5cm), N(2cm, 2.5cm), P(2.4cm, 2cm);
+        guide guide_S on GN through G towards N;
+        link OC(O, C);
+        link GN(G, N);
+        link PC(P, C) on guide_S;
+        drive PC.slide = s;
+    }
+}
+
+// pmks/welded_parts.txt
+mechanism! {
+    pub struct PmksWeldedParts {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
+        // Left out: masses of links, which are as PMKS+ sets them.
+        input theta: angle;
+        ground O(0, 0);
+        pin A(6cm, 5cm), B(26cm, 1cm), T(30cm, 8cm);
+        guide guide_Z through (26cm, 1cm) along 0deg;
+        link OA(O, A);
+        link ABT(A, B, T);
+        link block(B) on guide_Z;
+        drive OA.angle = theta;
+    }
+}
+
+// pmks/welded_yoke.txt
+mechanism! {
+    pub struct PmksWeldedYoke {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
+        // Left out: masses of links, which are as PMKS+ sets them.
+        // `CF` is welded to `CD` at `C`: both are `CD`.
+        input theta: angle;
+        ground A(0, 0);
+        pin B(3cm, 0), C(3cm, -5cm), D(3cm, 5cm);
+        guide guide_E on CD through C towards D;
+        guide guide_F through (3cm, -5cm) along 0deg;
+        link AB(A, B);
+        link CD(C, D) on guide_F;
+        link BE(B) on guide_E;
         drive AB.angle = theta;
     }
 }

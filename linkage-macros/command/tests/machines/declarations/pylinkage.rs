@@ -5,6 +5,7 @@ use linkage_core::mechanism;
 // pylinkage/coupler_curve.json
 mechanism! {
     pub struct PylinkageCouplerCurve {
+        // Left out: `angular_velocity` of `AB`, 0.1.
         input theta: angle;
         ground A(0, 0), D(400mm, 0);
         pin B(50mm, 90mm), C(320mm, 260mm), P(160mm, 290mm);
@@ -18,6 +19,7 @@ mechanism! {
 // pylinkage/four_bar.json
 mechanism! {
     pub struct PylinkageFourBar {
+        // Left out: `angular_velocity` of `AB`, 0.1.
         input theta: angle;
         ground A(0, 0), D(400mm, 0);
         pin B(50mm, 90mm), C(320mm, 260mm);
@@ -31,6 +33,7 @@ mechanism! {
 // pylinkage/slider_crank.json
 mechanism! {
     pub struct PylinkageSliderCrank {
+        // Left out: `angular_velocity` of `AB`, 0.1.
         input theta: angle;
         ground A(0, 0);
         pin B(6mm, 5mm), C(26mm, 1mm);
@@ -45,6 +48,7 @@ mechanism! {
 // pylinkage/watt_1.json
 mechanism! {
     pub struct PylinkageWatt1 {
+        // Left out: `angular_velocity` of `AB`, 0.1.
         input theta: angle;
         ground A(0, 0), D(300mm, 0);
         pin B(40mm, 100mm), C(260mm, 200mm), E(180mm, 290mm), F(390mm, 300mm), G(370mm, 160mm);

@@ -5,6 +5,7 @@ use linkage_core::mechanism;
 // pyslvs/eight_bar_01_g0_d01.txt
 mechanism! {
     pub struct PyslvsEightBar01G0D01 {
+        // Left out: colours.
         input theta: angle;
         ground J0(68.6mm, 66.2mm), J1(13.3mm, 76.8mm);
         pin J2(98.2mm, 96.9mm), J3(61.3mm, 4.4mm), J4(0.4mm, 13.4mm), J5(94.1mm, 30.3mm), J6(36.6mm, 89.8mm), J7(31.4mm, 54.9mm), J8(43.6mm, 6.5mm), J9(58.5mm, 84.4mm);
@@ -22,6 +23,7 @@ mechanism! {
 // pyslvs/eight_bar_02_g0_d06.txt
 mechanism! {
     pub struct PyslvsEightBar02G0D06 {
+        // Left out: colours.
         input theta: angle;
         ground J0(54.4mm, 95.3mm), J1(70.9mm, 38.8mm);
         pin J2(91mm, 78.8mm), J3(2.1mm, 49.3mm), J4(30.1mm, 30.5mm), J5(37mm, 83.6mm), J6(61mm, 24.6mm), J7(6.7mm, 15mm), J8(37.5mm, 54.2mm), J9(49.8mm, 42.6mm);
@@ -39,6 +41,7 @@ mechanism! {
 // pyslvs/eight_bar_03_g0_d05.txt
 mechanism! {
     pub struct PyslvsEightBar03G0D05 {
+        // Left out: colours.
         input theta: angle;
         ground J0(8.8mm, 60.4mm), J1(10.7mm, 85.7mm);
         pin J2(55.4mm, 75.3mm), J3(42.8mm, 14.5mm), J4(30mm, 57.1mm), J5(69.9mm, 93.5mm), J6(79.9mm, 78.3mm), J7(85.7mm, 36.6mm), J8(57.5mm, 17.6mm), J9(37mm, 82mm);
@@ -56,6 +59,7 @@ mechanism! {
 // pyslvs/eight_bar_04_g0_d05.txt
 mechanism! {
     pub struct PyslvsEightBar04G0D05 {
+        // Left out: colours.
         input theta: angle;
         ground J0(53.9mm, 28.9mm), J1(3mm, 65.4mm);
         pin J2(21mm, 25.7mm), J3(39.7mm, 64.2mm), J4(98.9mm, 46.2mm), J5(99.3mm, 99.3mm), J6(24.3mm, 7.3mm), J7(16mm, 84.2mm), J8(60mm, 91.7mm), J9(97.2mm, 65.4mm);
@@ -73,6 +77,7 @@ mechanism! {
 // pyslvs/eight_bar_06_g0_d01.txt
 mechanism! {
     pub struct PyslvsEightBar06G0D01 {
+        // Left out: colours.
         input theta: angle;
         ground J0(46.8mm, 80.6mm), J1(48.5mm, 39.6mm);
         pin J2(4.6mm, 77.4mm), J3(19.2mm, 56.3mm), J4(79.5mm, 4.9mm), J5(26.7mm, 15.4mm), J6(92.6mm, 49.9mm), J7(83.9mm, 66.4mm), J8(90.2mm, 21mm), J9(67mm, 66.8mm);
@@ -90,6 +95,7 @@ mechanism! {
 // pyslvs/eight_bar_11_g2_d26.txt
 mechanism! {
     pub struct PyslvsEightBar11G2D26 {
+        // Left out: colours.
         input theta: angle;
         ground J3(13.2mm, 49.7mm), J4(0.8mm, 75.3mm);
         pin J0(52.8mm, 19.3mm), J1(58.3mm, 39.2mm), J2(0.1mm, 0.6mm), J5(55.9mm, 65.2mm), J6(3.3mm, 93.2mm), J7(99.3mm, 62.5mm), J8(82mm, 47.4mm), J9(22.1mm, 11.8mm);
@@ -107,6 +113,7 @@ mechanism! {
 // pyslvs/eight_bar_13_g4_d04.txt
 mechanism! {
     pub struct PyslvsEightBar13G4D04 {
+        // Left out: colours.
         input theta: angle;
         ground J1(77.2mm, 57.3mm), J7(90.1mm, 41.7mm), J8(44.8mm, 97.8mm);
         pin J0(40mm, 17.2mm), J2(97.9mm, 81.7mm), J3(10.5mm, 27.3mm), J4(51.4mm, 6.5mm), J5(74.1mm, 35.1mm), J6(11.3mm, 2.8mm), J9(69.9mm, 0.6mm);
@@ -124,6 +131,7 @@ mechanism! {
 // pyslvs/five_bar.txt
 mechanism! {
     pub struct PyslvsFiveBar {
+        // Left out: colours.
         input theta: angle;
         input theta_2: angle;
         ground J0(0, 0), J1(20mm, 0);
@@ -140,6 +148,7 @@ mechanism! {
 // pyslvs/four_bar.txt
 mechanism! {
     pub struct PyslvsFourBar {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J3(400mm, 0);
         pin J1(50mm, 90mm), J2(320mm, 260mm);
@@ -153,6 +162,7 @@ mechanism! {
 // pyslvs/peaucellier.txt
 mechanism! {
     pub struct PyslvsPeaucellier {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J1(13mm, 0);
         pin J2(24mm, 6.87mm), J3(28mm, 16.36mm), J4(32mm, 0.09mm), J5(36mm, 9.58mm);
@@ -170,6 +180,7 @@ mechanism! {
 // pyslvs/scissor.txt
 mechanism! {
     pub struct PyslvsScissor {
+        // Left out: colours.
         input s: length;
         ground J0(0, 0);
         pin J1(72mm, 0), J2(36mm, 48mm), J3(72mm, 96mm), J4(0, 96mm);
@@ -187,6 +198,7 @@ mechanism! {
 // pyslvs/scotch_yoke.txt
 mechanism! {
     pub struct PyslvsScotchYoke {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0);
         pin J1(4mm, 3mm);
@@ -202,6 +214,7 @@ mechanism! {
 // pyslvs/slider_crank.txt
 mechanism! {
     pub struct PyslvsSliderCrank {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0);
         pin J1(6mm, 5mm), J2(26mm, 1mm);
@@ -216,6 +229,7 @@ mechanism! {
 // pyslvs/stephenson_1.txt
 mechanism! {
     pub struct PyslvsStephenson1 {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J1(400mm, 0);
         pin J2(60mm, 100mm), J3(100mm, 260mm), J4(360mm, 190mm), J5(330mm, 360mm), J6(220mm, 460mm);
@@ -231,6 +245,7 @@ mechanism! {
 // pyslvs/stephenson_2.txt
 mechanism! {
     pub struct PyslvsStephenson2 {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J1(400mm, 0);
         pin J2(50mm, 100mm), J3(130mm, 260mm), J4(220mm, 120mm), J5(340mm, 280mm), J6(360mm, 110mm);
@@ -246,6 +261,7 @@ mechanism! {
 // pyslvs/stephenson_3.txt
 mechanism! {
     pub struct PyslvsStephenson3 {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J1(320mm, 20mm), J2(600mm, 10mm);
         pin J3(40mm, 100mm), J4(290mm, 220mm), J5(240mm, 340mm), J6(540mm, 230mm);
@@ -261,6 +277,7 @@ mechanism! {
 // pyslvs/stephenson_3_other_end.txt
 mechanism! {
     pub struct PyslvsStephenson3OtherEnd {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J1(320mm, 20mm), J2(600mm, 10mm);
         pin J3(40mm, 100mm), J4(290mm, 220mm), J5(240mm, 340mm), J6(540mm, 230mm);
@@ -276,6 +293,7 @@ mechanism! {
 // pyslvs/stephenson_g0_d01.txt
 mechanism! {
     pub struct PyslvsStephensonG0D01 {
+        // Left out: colours.
         input theta: angle;
         ground J0(70.5mm, 5.7mm), J1(97.5mm, 2.3mm);
         pin J2(75mm, 84.5mm), J3(1.8mm, 78.8mm), J4(36.6mm, 57.9mm), J5(0.9mm, 4.7mm), J6(18.1mm, 95.5mm);
@@ -291,6 +309,7 @@ mechanism! {
 // pyslvs/triad.txt
 mechanism! {
     pub struct PyslvsTriad {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J5(460mm, 20mm), J6(40mm, 420mm);
         pin J1(50mm, 90mm), J2(160mm, 160mm), J3(300mm, 190mm), J4(240mm, 300mm);
@@ -306,6 +325,7 @@ mechanism! {
 // pyslvs/watt_1.txt
 mechanism! {
     pub struct PyslvsWatt1 {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J3(300mm, 0);
         pin J1(40mm, 100mm), J2(260mm, 200mm), J4(180mm, 290mm), J5(390mm, 300mm), J6(370mm, 160mm);
@@ -321,6 +341,7 @@ mechanism! {
 // pyslvs/watt_2.txt
 mechanism! {
     pub struct PyslvsWatt2 {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J3(300mm, 0), J6(600mm, 10mm);
         pin J1(40mm, 100mm), J2(260mm, 200mm), J4(420mm, 190mm), J5(590mm, 180mm);
@@ -336,6 +357,7 @@ mechanism! {
 // pyslvs/whitworth.txt
 mechanism! {
     pub struct PyslvsWhitworth {
+        // Left out: colours.
         input theta: angle;
         ground J0(0, 0), J1(0, 30mm);
         pin J2(10mm, 42mm), J3(14mm, 58.8mm), J4(50mm, 62mm);

@@ -1,0 +1,70 @@
+//! Masses and forces of an address.
+
+use super::Mistake;
+use super::records::{Arrow, MASS_AND_INERTIA, Member};
+use crate::import::drawing::{Drawing, Force, Mass};
+
+/// Newtons of a pound's weight.
+const POUND: f64 = 4.448_221_615_260_5;
+
+pub(super) fn draw_masses(drawing: &mut Drawing, members: &[Member<'_>]) {
+    let [mass, inertia] = MASS_AND_INERTIA;
+    let is_untouched = |member: &Member<'_>| {
+        member.mass == mass && (member.is_piston || member.inertia == inertia)
+    };
+    if members.iter().all(is_untouched) {
+        drawing.left_out.push("masses of links, which are as PMKS+ sets them".to_string());
+        return;
+    }
+    let (unit, unit_of_inertia) = match &drawing.unit[..] {
+        "cm" => ("g", "kg*cm^2"),
+        "m" => ("kg", "kg*m^2"),
+        unit => {
+            let why =
+                format!("masses of links, whose unit beside `{unit}` the address does not say");
+            drawing.left_out.push(why);
+            return;
+        }
+    };
+    for member in members.iter().filter(|member| member.mass != 0.0 || member.inertia != 0.0) {
+        // The mass of a piston is at its pin.
+        let pin = member.joints.iter().find_map(|joint| drawing.pin(joint));
+        let centre = pin.filter(|_| member.is_piston).map_or(member.centre, |pin| pin.at);
+        drawing.masses.push(Mass {
+            link: member.id.to_string(),
+            value: member.mass,
+            unit,
+            at: centre,
+            inertia: member.inertia,
+            unit_of_inertia,
+        });
+    }
+}
+
+pub(super) fn force(
+    arrow: &Arrow<'_>,
+    unit: &str,
+    members: &[Member<'_>],
+) -> Result<Force, Mistake> {
+    let Arrow { id, link, ends: [at, end], .. } = *arrow;
+    let is_of = |member: &&Member<'_>| member.id == link || member.parts.contains(&link);
+    let Some(member) = members.iter().find(is_of) else {
+        return Err(format!("the force `{id}` acts on `{link}`, which is no link"));
+    };
+    let along = [end[0] - at[0], end[1] - at[1]];
+    let length = along[0].hypot(along[1]);
+    if length == 0.0 {
+        return Err(format!("the force `{id}` has no direction: its arrow ends where it begins"));
+    }
+    // The arrow points at the place that it acts on where it does not go outward.
+    let sign = if arrow.is_outward { 1.0 } else { -1.0 };
+    let newtons = if unit == "in" { POUND } else { 1.0 };
+    let factor = sign * newtons * arrow.magnitude / length;
+    Ok(Force {
+        id: id.to_string(),
+        link: member.id.to_string(),
+        at,
+        vector: along.map(|part| factor * part),
+        turns: arrow.turns,
+    })
+}

@@ -1,0 +1,56 @@
+//! The records of an address, in whichever form they were written.
+
+/// The mass and the inertia that a link has unless a user changes them; a piston has no inertia.
+pub(super) const MASS_AND_INERTIA: [f64; 2] = [1.0, 1.0];
+
+/// An address, read and not yet drawn.
+pub(super) struct Records<'a> {
+    pub unit: &'static str,
+    /// The speed of the inputs, in turns a minute.
+    pub speed: f64,
+    pub has_gravity: bool,
+    pub joints: Vec<Joint<'a>>,
+    pub members: Vec<Member<'a>>,
+    /// The links that are welded together to others.
+    pub parts: Vec<Member<'a>>,
+    pub forces: Vec<Arrow<'a>>,
+}
+
+pub(super) struct Joint<'a> {
+    pub id: &'a str,
+    pub title: &'a str,
+    pub at: [f64; 2],
+    pub angle: f64,
+    pub is_prismatic: bool,
+    pub is_input: bool,
+    pub is_ground: bool,
+    /// True if the links through it are one, unless they are parts of one link already.
+    pub is_welded: bool,
+    /// The link that carries a slot, and the joints through which it goes.
+    pub slot: Option<[&'a str; 3]>,
+}
+
+pub(super) struct Member<'a> {
+    pub id: &'a str,
+    pub title: &'a str,
+    pub is_piston: bool,
+    pub mass: f64,
+    pub inertia: f64,
+    pub centre: [f64; 2],
+    pub colour: &'a str,
+    pub joints: Vec<&'a str>,
+    /// The links that are welded together to it.
+    pub parts: Vec<&'a str>,
+}
+
+/// A force: an arrow between two places of a link.
+pub(super) struct Arrow<'a> {
+    pub id: &'a str,
+    pub link: &'a str,
+    pub ends: [[f64; 2]; 2],
+    pub magnitude: f64,
+    /// True if it turns with the link.
+    pub turns: bool,
+    /// True if it pulls along the arrow from the first place, instead of pushing on it.
+    pub is_outward: bool,
+}

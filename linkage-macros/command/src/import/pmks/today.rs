@@ -1,0 +1,144 @@
+//! The records of today's addresses. Sections end with a point: four of settings, then joints, links and forces, each
+//! list behind an empty section, and a character that counts the length. Numbers are thousandths to the base of 64, with a
+//! zero in front where they are negative.
+
+use super::Mistake;
+use super::address::counted;
+use super::records::{Arrow, Joint, Member, Records};
+
+pub(super) const DIGITS: &str = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
+/// The count of settings in front of the joints.
+const SETTINGS: usize = 4;
+
+pub(super) fn records(query: &str) -> Result<Records<'_>, Mistake> {
+    let sections = counted(query)?;
+    let mut sections = sections.split('.');
+    let settings: Vec<_> = sections.by_ref().take(SETTINGS).collect();
+    let &[_, _, integers, words] = &settings[..] else {
+        return Err("the address ends within its settings".into());
+    };
+    let joints = list(&mut sections, joint)?;
+    let links = list(&mut sections, member)?;
+    let forces = list(&mut sections, force)?;
+    let (mut members, mut parts) = (Vec::new(), Vec::new());
+    for (member, is_root) in links {
+        if is_root { members.push(member) } else { parts.push(member) }
+    }
+    let speed = integer(integers.split(',').next().unwrap_or_default())?;
+    Ok(Records { unit: unit(words)?, speed, has_gravity: false, joints, members, parts, forces })
+}
+
+/// The records up to the next empty section.
+fn list<'a, T>(
+    sections: &mut impl Iterator<Item = &'a str>,
+    read: impl Fn(&'a str) -> Result<T, Mistake>,
+) -> Result<Vec<T>, Mistake> {
+    sections.take_while(|section| !section.is_empty()).map(read).collect()
+}
+
+/// The unit of length: the first word of the settings.
+fn unit(words: &str) -> Result<&'static str, Mistake> {
+    match words.chars().next() {
+        Some('0') => Ok("in"),
+        Some('1') => Ok("cm"),
+        Some('2') => Ok("m"),
+        _ => Err(format!("the address has no unit of length that is known: `{words}`")),
+    }
+}
+
+fn integer(digits: &str) -> Result<f64, Mistake> {
+    digits.chars().try_fold(0.0, |number, digit| {
+        let digit = DIGITS.find(digit).ok_or_else(|| format!("`{digits}` is no number"))?;
+        Ok(64.0 * number + digit as f64)
+    })
+}
+
+/// A number of thousandths. A zero in front of others is the sign.
+fn number(text: &str) -> Result<f64, Mistake> {
+    let thousandths = match text.strip_prefix('0') {
+        Some(digits) if !digits.is_empty() => -integer(digits)?,
+        _ if text.is_empty() => return Err("the address lacks a number".into()),
+        _ => integer(text)?,
+    };
+    Ok(thousandths / 1000.0)
+}
+
+/// The flags of a record, and its name.
+fn flags<'a>(first: &'a str, kind: &str, section: &str) -> Result<(u32, &'a str), Mistake> {
+    let Some((flags, id)) = first.char_indices().nth(1).map(|(at, _)| first.split_at(at)) else {
+        return Err(format!("`{section}` is a {kind} without a name"));
+    };
+    Ok((integer(flags)? as u32, id))
+}
+
+fn joint(section: &str) -> Result<Joint<'_>, Mistake> {
+    let fields: Vec<_> = section.split(',').collect();
+    let &[first, title, x, y, angle, ref slot @ ..] = &fields[..] else {
+        return Err(format!("`{section}` is no joint: its fields are name, title, x, y, angle"));
+    };
+    let (flags, id) = flags(first, "joint", section)?;
+    let slot = match *slot {
+        [] | ["", ..] => None,
+        [carrier, from, to] => Some([carrier, from, to]),
+        _ => return Err(format!("the slot of `{id}` is no link and two joints")),
+    };
+    Ok(Joint {
+        id,
+        title,
+        at: [number(x)?, number(y)?],
+        angle: number(angle)?,
+        is_prismatic: flags & 1 != 0,
+        is_input: flags & 2 != 0,
+        is_ground: flags & 4 != 0,
+        is_welded: flags & 8 != 0,
+        slot,
+    })
+}
+
+/// A link, and whether it is one by itself: others are parts of links that are welded together.
+fn member(section: &str) -> Result<(Member<'_>, bool), Mistake> {
+    let fields: Vec<_> = section.split(',').collect();
+    let mut letters = fields[0].chars();
+    let is_root = match letters.next() {
+        Some('Y') => true,
+        Some('N') => false,
+        _ => return Err(format!("`{section}` is no link: it begins with neither Y nor N")),
+    };
+    let is_piston = match letters.next() {
+        Some('R') => false,
+        Some('P') => true,
+        _ => return Err(format!("`{section}` is neither a link R nor a piston P")),
+    };
+    let id = letters.as_str();
+    let &[_, title, mass, inertia, x, y, colour, ref names @ ..] = &fields[..] else {
+        return Err(format!("`{section}` is no link: it ends in front of its joints"));
+    };
+    let mut names = names.iter().copied();
+    let joints = names.by_ref().take_while(|joint| !joint.is_empty()).collect();
+    let member = Member {
+        id,
+        title,
+        is_piston,
+        mass: number(mass)?,
+        inertia: number(inertia)?,
+        centre: [number(x)?, number(y)?],
+        colour,
+        joints,
+        parts: names.filter(|part| !part.is_empty()).collect(),
+    };
+    Ok((member, is_root))
+}
+
+/// A force: two flags and its name, the link, a title, where the arrow begins and ends, and how large it is.
+fn force(section: &str) -> Result<Arrow<'_>, Mistake> {
+    let fields: Vec<_> = section.split(',').collect();
+    let &[first, link, _, x, y, u, v, size] = &fields[..] else {
+        return Err(format!(
+            "`{section}` is no force: its fields are name, link, title, two places of two numbers, and the magnitude"
+        ));
+    };
+    let (flags, id) = flags(first, "force", section)?;
+    let ends = [[number(x)?, number(y)?], [number(u)?, number(v)?]];
+    let (turns, is_outward) = (flags & 1 != 0, flags & 2 != 0);
+    Ok(Arrow { id, link, ends, magnitude: number(size)?, turns, is_outward })
+}

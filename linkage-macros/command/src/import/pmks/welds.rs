@@ -1,0 +1,36 @@
+//! Joints that are welded: the links through one are one link.
+
+use super::records::{Member, Records};
+use crate::import::drawing::Drawing;
+
+/// Makes one link of the links at each welded joint: a block takes the name of its rod. Parts of one compound link are
+/// welded to one another, and to nothing else that goes through their joint: a piston is pinned there.
+pub(super) fn weld(drawing: &mut Drawing, records: &Records<'_>) {
+    let welded = records.joints.iter().filter(|joint| joint.is_welded && !joint.is_prismatic);
+    for joint in welded.filter(|joint| !is_within_a_link(records, joint.id)) {
+        let all: Vec<String> = drawing.at(joint.id).map(|link| link.id.clone()).collect();
+        let is_rod = |id: &&String| {
+            let mut members = records.members.iter();
+            members.any(|member| member.id == **id && !member.is_piston)
+        };
+        let Some(first) = all.iter().find(is_rod).or(all.first()) else { continue };
+        for other in all.iter().filter(|other| *other != first) {
+            drawing.merge(first, other);
+            let remark =
+                format!("`{other}` is welded to `{first}` at `{}`: both are `{first}`", joint.id);
+            drawing.remarks.push(remark);
+        }
+    }
+}
+
+/// True if several parts of one link meet at the joint.
+fn is_within_a_link(records: &Records<'_>, joint: &str) -> bool {
+    let is_through = |member: &Member<'_>| member.joints.contains(&joint);
+    records.members.iter().filter(|member| is_through(member)).any(|member| {
+        let parts = member.parts.iter().filter(|part| {
+            let part = records.parts.iter().find(|own| own.id == **part);
+            part.is_none_or(is_through)
+        });
+        parts.count() > 1
+    })
+}
