@@ -11,10 +11,12 @@
 
 mod drawing;
 mod names;
+mod parallelograms;
 mod pmks;
 mod printed;
 mod pylinkage;
 mod pyslvs;
+mod triangles;
 
 use std::fs;
 use std::io::{self, Read};
@@ -56,6 +58,7 @@ fn text(source: &str) -> Result<String, Failure> {
 
 fn declaration(text: &str, arguments: &Import) -> Result<String, Mistake> {
     let mut drawing = read(text, &arguments.drive)?;
+    parallelograms::make_exact(&mut drawing);
     if let Some(name) = &arguments.name {
         drawing.name.clone_from(name);
     }

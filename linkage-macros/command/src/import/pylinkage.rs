@@ -8,7 +8,8 @@
 //! | a link `ground`; `link` | the ground; a link |
 //! | a link `driver`, `arc_driver` | a link and its drive |
 //!
-//! `slide_distance` is a coordinate, not a dimension: the drawing says where the block is.
+//! `slide_distance` is a coordinate, not a dimension: the drawing says where the block is. Bars that make a triangle are
+//! one link.
 
 use std::collections::BTreeMap;
 
@@ -17,6 +18,7 @@ use serde_json::Value;
 
 use super::Mistake;
 use super::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
+use super::triangles;
 
 #[derive(Deserialize)]
 struct Mechanism {
@@ -76,6 +78,7 @@ pub(crate) fn read(text: &str) -> Result<Drawing, Mistake> {
     for joint in mechanism.joints.iter().filter(|joint| joint.kind == "tracker") {
         track(&mut drawing, joint)?;
     }
+    triangles::join(&mut drawing);
     Ok(drawing)
 }
 

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::declarations::pmks::*;
+use crate::declarations::{pmks::*, pylinkage::*};
 use crate::program::{fixture, given, run};
 
 /// Checks that lines stand in the declaration of a fixture.
@@ -80,6 +80,65 @@ fn an_angle_that_is_no_whole_number_of_degrees_is_kept() {
         assert!(printed.contains(&format!("along {degrees};")), "{printed}");
         assert_eq!(printed.contains("which PMKS+ wrote as"), degrees.ends_with("deg"), "{printed}");
     }
+}
+
+/// Two sides that differ by a thousandth.
+#[test]
+fn a_rounded_parallelogram_is_one_to_the_last_digit() {
+    holds(
+        "pmks/rounded_parallelogram.txt",
+        &[
+            "// `C` was at (50.607, 10.606): `AB` and `DC` are made parallel and equal.",
+            "pin B(10.606cm, 10.607cm), C(50.606cm, 10.607cm);",
+        ],
+    );
+    for turn in [0.5, 1.5, 2.0] {
+        let drawn = PmksRoundedParallelogram::DRAWN[0];
+        let at = PmksRoundedParallelogram::new().position(drawn + turn).expect("it turns");
+        // The sine of the angle at C is above a third here.
+        let off = (at.C.x - at.B.x - 0.4).hypot(at.C.y - at.B.y);
+        assert!(off < 1e-15, "{turn}: {off:e}");
+    }
+}
+
+/// Sides that differ by more than rounding does, or are exact, are left alone; computed coordinates are rounded.
+#[test]
+fn other_sides_are_left_alone() {
+    let machine = |c: &str| {
+        format!(
+            "M[J[R, P[0, 0], L[ground, AB]], J[R, P[0.3, 100.1], L[AB, BC]], J[R, P[{c}], L[BC, DC]], \
+             J[R, P[200.2, 0], L[ground, DC]]]"
+        )
+    };
+    for (c, place, is_changed) in [
+        ("200.5, 100.1", "J2(200.5mm, 100.1mm)", false),
+        ("200.51, 100.1", "J2(200.51mm, 100.1mm)", false),
+        ("200.5, 100.099", "J2(200.5mm, 100.1mm)", true),
+        ("200.50000000000003, 100.1", "J2(200.5mm, 100.1mm)", true),
+    ] {
+        let printed = given(&machine(c), &["--drive", "0,1"]).expect("it is a machine");
+        assert!(printed.contains(place), "{printed}");
+        assert_eq!(printed.contains("parallel and equal"), is_changed, "{c}: {printed}");
+    }
+}
+
+/// Three bars, and two more that hold a pin on them.
+#[test]
+fn bars_that_are_triangles_are_one_link() {
+    holds(
+        "pylinkage/triangle.json",
+        &[
+            "// Left out: `angular_velocity` of `AB`, 0.1.",
+            "// `BC`, `BP` and `CP` are a triangle: all are `BC`.",
+            "// `BC`, `CQ` and `PQ` are a triangle: all are `BC`.",
+            "link BC(B, C, P, Q);",
+        ],
+    );
+    let at =
+        PylinkageTriangle::new().position(PylinkageTriangle::DRAWN[0] + 1.0).expect("it turns");
+    let away = |x: f64, y: f64| (at.B.x - x).hypot(at.B.y - y);
+    let [p, q] = [110.0_f64.hypot(200.0), 190.0_f64.hypot(240.0)].map(|long| long / 1e3);
+    assert!((away(at.P.x, at.P.y) - p).abs() < 1e-15 && (away(at.Q.x, at.Q.y) - q).abs() < 1e-15);
 }
 
 /// An address of before 2023, with a mass, a force and gravity.

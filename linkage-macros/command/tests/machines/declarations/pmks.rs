@@ -113,6 +113,23 @@ mechanism! {
     }
 }
 
+// pmks/rounded_parallelogram.txt
+mechanism! {
+    pub struct PmksRoundedParallelogram {
+        // Left out: the speed of the input, 20 rpm.
+        // Left out: colours.
+        // Left out: masses of links, which are as PMKS+ sets them.
+        // `C` was at (50.607, 10.606): `AB` and `DC` are made parallel and equal.
+        input theta: angle;
+        ground A(0, 0), D(40cm, 0);
+        pin B(10.606cm, 10.607cm), C(50.606cm, 10.607cm);
+        link AB(A, B);
+        link BC(B, C);
+        link DC(D, C);
+        drive AB.angle = theta;
+    }
+}
+
 // pmks/slider_crank.txt
 mechanism! {
     pub struct PmksSliderCrank {

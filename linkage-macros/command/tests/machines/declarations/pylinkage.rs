@@ -45,6 +45,22 @@ mechanism! {
     }
 }
 
+// pylinkage/triangle.json
+mechanism! {
+    pub struct PylinkageTriangle {
+        // Left out: `angular_velocity` of `AB`, 0.1.
+        // `BC`, `BP` and `CP` are a triangle: all are `BC`.
+        // `BC`, `CQ` and `PQ` are a triangle: all are `BC`.
+        input theta: angle;
+        ground A(0, 0), D(400mm, 0);
+        pin B(50mm, 90mm), C(320mm, 260mm), P(160mm, 290mm), Q(240mm, 330mm);
+        link AB(A, B);
+        link BC(B, C, P, Q);
+        link DC(D, C);
+        drive AB.angle = theta;
+    }
+}
+
 // pylinkage/watt_1.json
 mechanism! {
     pub struct PylinkageWatt1 {
