@@ -292,3 +292,23 @@ fn what_is_stale_is_told_and_left_alone() {
         assert_eq!(fs::read(folder.join(file)).expect("it stands there"), before);
     }
 }
+
+/// A machine that is imported into a file, which the program then reads.
+#[test]
+fn an_imported_machine_is_a_file_like_another() {
+    let bar = "M[J[R, P[0, 0], L[ground, bar]], J[R, P[1, 0], L[bar]]]";
+    let folder = folder("imported", &[("bar.txt", bar)]);
+    let import = |more: &[&str]| {
+        let arguments = ["import", "bar.txt", "--drive", "0,1", "-o", "bar.rs"];
+        let output = linkage(&[&arguments[..], more].concat(), &folder);
+        (output.status.code(), text(&output.stdout), text(&output.stderr))
+    };
+    assert_eq!(import(&["--stale"]).0, Some(1));
+    assert_eq!(import(&[]), (Some(0), "bar.rs\n".to_string(), String::new()));
+    assert_eq!(import(&["--stale"]), (Some(0), String::new(), String::new()));
+    assert_eq!(import(&["--stale", "--unit", "cm"]).0, Some(1));
+    assert_eq!(linkage(&["check", "bar.rs"], &folder).status.code(), Some(0));
+    for (arguments, status) in [(["import", "none.txt"], 2), (["import", "bar.rs"], 1)] {
+        assert_eq!(linkage(&arguments, &folder).status.code(), Some(status), "{arguments:?}");
+    }
+}
