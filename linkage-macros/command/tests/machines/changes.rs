@@ -31,6 +31,29 @@ fn a_welded_yoke_is_one_link_with_its_block() {
     }
 }
 
+/// Blocks without records of their own: one is pinned to its crank, one is welded to the yoke.
+#[test]
+fn a_prismatic_joint_may_be_the_block() {
+    holds(
+        "pmks/blocks_of_joints.txt",
+        &[
+            "// Left out: the speed of the input at `A`, 4 rpm.",
+            "// `block_C` is welded to `CD` at `C`: both are `CD`.",
+            "pin B(3cm, 0), C(3cm, -5cm), D(3cm, 5cm);",
+            "link CD(C, D) on guide_C;",
+            "link block_B(B) on guide_B;",
+            "mass 0.5g on block_B at (0, 0) inertia 0(kg*cm^2);",
+            "mass 3g on CD at (5cm, 0) inertia 4(kg*cm^2);",
+        ],
+    );
+    let solver = PmksBlocksOfJoints::new();
+    for turn in [0.5_f64, 2.0, 4.0] {
+        let at = solver.position(PmksBlocksOfJoints::DRAWN[0] + turn).expect("it turns");
+        let x = 0.03 * turn.cos();
+        assert!((at.C.x - x).abs() < 1e-15 && (at.D.x - x).abs() < 1e-15, "{turn}");
+    }
+}
+
 /// A boom that a cylinder raises: its sides are 5 cm and 4 cm, and the law of cosines gives the angle between them.
 #[test]
 fn the_rod_of_a_cylinder_is_one_link_with_its_block() {
@@ -147,7 +170,7 @@ fn an_older_address_is_read() {
     holds(
         "pmks/older.txt",
         &[
-            "// Left out: the speed of the input, 10 rpm.",
+            "// Left out: the speed of the input at `a`, 10 rpm.",
             "// Left out: gravity.",
             "ground a(0, 0);",
             "pin b(6cm, 5cm), c(26cm, 1cm);",

@@ -63,6 +63,7 @@ macro_rules! stand {
 }
 
 stand! {
+    pmks_blocks_of_joints PmksBlocksOfJoints "pmks/blocks_of_joints.txt"
     pmks_boom PmksBoom "pmks/boom.txt"
     pmks_driven_elbow PmksDrivenElbow "pmks/driven_elbow.txt"
     pmks_four_bar PmksFourBar "pmks/four_bar.txt"

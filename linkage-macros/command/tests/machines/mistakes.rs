@@ -49,8 +49,12 @@ fn addresses() {
             "the piston `BP` has no prismatic joint",
         ),
         (
-            format!("{joints}.LP,P,0,Fe,0..YRAP,AP,Fe,Fe,0,0,,A,P,,."),
-            "`AP` is no piston, and `P` is prismatic",
+            format!("{joints}.HP,P,0,Fe,0..YRAP,AP,Fe,Fe,0,0,,A,P,,."),
+            "`P` slides neither on the ground nor in the slot of a link",
+        ),
+        (
+            format!("{joints}.HP,P,0,Fe,0,AB,A..YRAP,AP,Fe,Fe,0,0,,A,P,,."),
+            "the slot of `P` is no link and two joints",
         ),
         (
             "IA,A,0,0,0..YRAB,AB,Fe,Fe,0,0,,A,,.".into(),
@@ -58,7 +62,7 @@ fn addresses() {
         ),
         (
             "KA,A,0,0,0..XRAB,AB,Fe,Fe,0,0,,A,,.".into(),
-            "`XRAB,AB,Fe,Fe,0,0,,A,,` is no link: it begins with neither Y nor N",
+            "`XRAB,AB,Fe,Fe,0,0,,A,,` is no link: its first letter is not Y, N or their like",
         ),
         (
             "KA,A,0,0..YRAB,AB,Fe,Fe,0,0,,A,,.".into(),

@@ -32,7 +32,8 @@ fn decoded(text: &str) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// The sections without the character behind them, which counts the others. Parameters that a mailer or a search engine
+/// The sections without the character behind them, which counts the others, and without a star and what PMKS+ made of them
+/// to find changes. Parameters that a mailer or a search engine
 /// hangs on the address, `&utm_source=…`, are none of it.
 pub(super) fn counted(query: &str) -> Result<&str, Mistake> {
     if query.is_empty() {
@@ -45,6 +46,7 @@ pub(super) fn counted(query: &str) -> Result<&str, Mistake> {
 }
 
 fn without_count(query: &str) -> Option<&str> {
+    let query = query.rsplit_once('*').map_or(query, |(counted, _)| counted);
     let (at, last) = query.char_indices().last()?;
     let sections = &query[..at];
     // JavaScript counts in units of UTF-16.

@@ -1,18 +1,19 @@
 //! Masses and forces of an address.
 
 use super::Mistake;
-use super::records::{Arrow, MASS_AND_INERTIA, Member};
+use super::records::{Arrow, MASS_AND_INERTIA, Member, Records, block};
 use crate::import::drawing::{Drawing, Force, Mass};
 
 /// Newtons of a pound's weight.
 const POUND: f64 = 4.448_221_615_260_5;
 
-pub(super) fn draw_masses(drawing: &mut Drawing, members: &[Member<'_>]) {
+pub(super) fn draw_masses(drawing: &mut Drawing, records: &Records<'_>) {
     let [mass, inertia] = MASS_AND_INERTIA;
     let is_untouched = |member: &Member<'_>| {
         member.mass == mass && (member.is_piston || member.inertia == inertia)
     };
-    if members.iter().all(is_untouched) {
+    let blocks = records.joints.iter().filter(|joint| joint.mass != 0.0);
+    if records.members.iter().all(is_untouched) && blocks.clone().count() == 0 {
         drawing.left_out.push("masses of links, which are as PMKS+ sets them".to_string());
         return;
     }
@@ -26,7 +27,12 @@ pub(super) fn draw_masses(drawing: &mut Drawing, members: &[Member<'_>]) {
             return;
         }
     };
-    for member in members.iter().filter(|member| member.mass != 0.0 || member.inertia != 0.0) {
+    for joint in blocks.filter(|joint| records.is_slider(joint)) {
+        let (value, at, inertia) = (joint.mass, joint.at, 0.0);
+        drawing.masses.push(Mass { link: block(joint), value, unit, at, inertia, unit_of_inertia });
+    }
+    let has_mass = |member: &&Member<'_>| member.mass != 0.0 || member.inertia != 0.0;
+    for member in records.members.iter().filter(has_mass) {
         // The mass of a piston is at its pin.
         let pin = member.joints.iter().find_map(|joint| drawing.pin(joint));
         let centre = pin.filter(|_| member.is_piston).map_or(member.centre, |pin| pin.at);

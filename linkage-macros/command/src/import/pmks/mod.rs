@@ -5,6 +5,8 @@
 //! | a revolute joint | a pin |
 //! | a link, welded ones as the one that they are together | a link |
 //! | a piston and its prismatic joint | a link on a guide: on the ground at the joint's angle, or a slot through two joints of a link |
+//! | a prismatic joint of another link | a pin, and such a block on it |
+//! | a welded joint | one link of those that meet there |
 //! | the input at a joint | the first link there against the ground or against the second; the slide of a piston |
 //! | the mass of a link | its mass, at its centre; grams and kg·cm² in a drawing in centimetres. None where all are as PMKS+ sets them |
 //! | a force | a force on a point of its link, which turns with the link where it is local |
@@ -20,7 +22,7 @@ mod welds;
 
 use super::Mistake;
 use super::drawing::{Angle, Drawing, Drive, Guide, Line, Link, Pin};
-use records::{Joint, Member, Records};
+use records::{Joint, Member, Records, block};
 
 pub(crate) fn read(address: &str) -> Result<Drawing, Mistake> {
     let query = address::query(address);
@@ -31,7 +33,7 @@ pub(crate) fn read(address: &str) -> Result<Drawing, Mistake> {
     let mut drawing = Drawing::new("Machine", records.unit);
     leave_out(&mut drawing, &records);
     draw(&mut drawing, &records)?;
-    loads::draw_masses(&mut drawing, &records.members);
+    loads::draw_masses(&mut drawing, &records);
     for arrow in &records.forces {
         let force = loads::force(arrow, &drawing.unit, &records.members)?;
         drawing.forces.push(force);
@@ -46,8 +48,11 @@ pub(crate) fn read(address: &str) -> Result<Drawing, Mistake> {
 
 /// Notes what a declaration has no place for.
 fn leave_out(drawing: &mut Drawing, records: &Records<'_>) {
-    if records.joints.iter().any(|joint| joint.is_input) {
-        drawing.left_out.push(format!("the speed of the input, {} rpm", records.speed));
+    for joint in records.joints.iter().filter(|joint| joint.is_input) {
+        let speed = joint.speed.unwrap_or(records.speed);
+        let unit = if joint.is_prismatic { "" } else { " rpm" };
+        let what = format!("the speed of the input at `{}`, {speed}{unit}", joint.id);
+        drawing.left_out.push(what);
     }
     if records.has_gravity {
         drawing.left_out.push("gravity".to_string());
@@ -63,11 +68,31 @@ fn leave_out(drawing: &mut Drawing, records: &Records<'_>) {
 }
 
 fn draw(drawing: &mut Drawing, records: &Records<'_>) -> Result<(), Mistake> {
-    for joint in records.joints.iter().filter(|joint| !joint.is_prismatic) {
-        let pin = Pin { id: joint.id.to_string(), at: joint.at, is_ground: joint.is_ground };
-        drawing.pins.push(pin);
+    for joint in &records.joints {
+        if !joint.is_prismatic || records.is_slider(joint) {
+            let is_ground = joint.is_ground && !joint.is_prismatic;
+            drawing.pins.push(Pin { id: joint.id.to_string(), at: joint.at, is_ground });
+        }
     }
-    records.members.iter().try_for_each(|member| draw_link(drawing, member, &records.joints))
+    records.members.iter().try_for_each(|member| draw_link(drawing, member, &records.joints))?;
+    let sliders = records.joints.iter().filter(|joint| records.is_slider(joint));
+    for joint in sliders {
+        let mut link = Link { id: block(joint), pins: vec![joint.id.to_string()], on: Vec::new() };
+        slide(drawing, &mut link, joint)?;
+        drawing.links.push(link);
+    }
+    Ok(())
+}
+
+/// Lets a link slide on the guide of a prismatic joint.
+fn slide(drawing: &mut Drawing, link: &mut Link, joint: &Joint<'_>) -> Result<(), Mistake> {
+    let guide = guide(drawing, joint)?;
+    link.on.push(guide.id.clone());
+    drawing.guides.push(guide);
+    if joint.is_input {
+        drawing.drives.push(Drive::Slide { link: link.id.clone() });
+    }
+    Ok(())
 }
 
 fn draw_link(
@@ -84,19 +109,12 @@ fn draw_link(
             })?,
         );
     }
-    let (prismatic, pins): (Vec<_>, Vec<_>) = own.into_iter().partition(|joint| joint.is_prismatic);
+    let (prismatic, pins): (Vec<&Joint<'_>>, Vec<_>) =
+        own.into_iter().partition(|joint| joint.is_prismatic && member.is_piston);
     let pins = pins.iter().map(|pin| pin.id.to_string()).collect();
     let mut link = Link { id: member.id.to_string(), pins, on: Vec::new() };
     for joint in prismatic {
-        if !member.is_piston {
-            return Err(format!("`{}` is no piston, and `{}` is prismatic", member.id, joint.id));
-        }
-        let guide = guide(drawing, joint)?;
-        link.on.push(guide.id.clone());
-        drawing.guides.push(guide);
-        if joint.is_input {
-            drawing.drives.push(Drive::Slide { link: link.id.clone() });
-        }
+        slide(drawing, &mut link, joint)?;
     }
     if member.is_piston && link.on.is_empty() {
         return Err(format!("the piston `{}` has no prismatic joint", member.id));

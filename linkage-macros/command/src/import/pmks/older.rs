@@ -89,6 +89,8 @@ fn joint(line: &str) -> Result<Joint<'_>, Mistake> {
         is_ground: mark(ground)?,
         is_welded: false,
         slot: None,
+        speed: None,
+        mass: 0.0,
     })
 }
 

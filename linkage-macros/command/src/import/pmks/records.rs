@@ -16,6 +16,20 @@ pub(super) struct Records<'a> {
     pub forces: Vec<Arrow<'a>>,
 }
 
+impl Records<'_> {
+    /// True if a prismatic joint has no piston: it is the pin, the block and the guide in one.
+    pub(super) fn is_slider(&self, joint: &Joint<'_>) -> bool {
+        let is_through =
+            |member: &Member<'_>| !member.is_piston && member.joints.contains(&joint.id);
+        joint.is_prismatic && self.members.iter().any(is_through)
+    }
+}
+
+/// The name of the link that a slider's block is.
+pub(super) fn block(joint: &Joint<'_>) -> String {
+    format!("block_{}", joint.id)
+}
+
 pub(super) struct Joint<'a> {
     pub id: &'a str,
     pub title: &'a str,
@@ -28,6 +42,10 @@ pub(super) struct Joint<'a> {
     pub is_welded: bool,
     /// The link that carries a slot, and the joints through which it goes.
     pub slot: Option<[&'a str; 3]>,
+    /// The speed of an input that has one of its own.
+    pub speed: Option<f64>,
+    /// The mass of the block where it has no record of its own.
+    pub mass: f64,
 }
 
 pub(super) struct Member<'a> {

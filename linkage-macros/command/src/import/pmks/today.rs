@@ -1,4 +1,4 @@
-//! The records of today's addresses. Sections end with a point: four of settings, then joints, links and forces, each
+//! The records of addresses since the spring of 2023. Sections end with a point: four of settings, then joints, links and forces, each
 //! list behind an empty section, and a character that counts the length. Numbers are thousandths to the base of 64, with a
 //! zero in front where they are negative.
 
@@ -73,14 +73,19 @@ fn flags<'a>(first: &'a str, kind: &str, section: &str) -> Result<(u32, &'a str)
 
 fn joint(section: &str) -> Result<Joint<'_>, Mistake> {
     let fields: Vec<_> = section.split(',').collect();
-    let &[first, title, x, y, angle, ref slot @ ..] = &fields[..] else {
+    let &[first, title, x, y, angle, ref slots @ ..] = &fields[..] else {
         return Err(format!("`{section}` is no joint: its fields are name, title, x, y, angle"));
     };
     let (flags, id) = flags(first, "joint", section)?;
-    let slot = match *slot {
+    let slot = match *slots {
         [] | ["", ..] => None,
-        [carrier, from, to] => Some([carrier, from, to]),
+        // A speed of its own and the mass of a block may stand behind.
+        [carrier, from, to, ..] => Some([carrier, from, to]),
         _ => return Err(format!("the slot of `{id}` is no link and two joints")),
+    };
+    let behind = |at: usize| {
+        let text = slots.get(at).filter(|text| !text.is_empty());
+        text.map(|text| number(text))
     };
     Ok(Joint {
         id,
@@ -92,6 +97,8 @@ fn joint(section: &str) -> Result<Joint<'_>, Mistake> {
         is_ground: flags & 4 != 0,
         is_welded: flags & 8 != 0,
         slot,
+        speed: behind(3).transpose()?,
+        mass: behind(4).transpose()?.unwrap_or(0.0),
     })
 }
 
@@ -99,10 +106,15 @@ fn joint(section: &str) -> Result<Joint<'_>, Mistake> {
 fn member(section: &str) -> Result<(Member<'_>, bool), Mistake> {
     let fields: Vec<_> = section.split(',').collect();
     let mut letters = fields[0].chars();
+    // The letter says, too, which of inertia and centre PMKS+ computes, and whether the link is drawn as a disc.
     let is_root = match letters.next() {
-        Some('Y') => true,
-        Some('N') => false,
-        _ => return Err(format!("`{section}` is no link: it begins with neither Y nor N")),
+        Some('Y' | 'A' | 'M' | 'G' | '0'..='3') => true,
+        Some('N' | 'a' | 'm' | 'g' | '4'..='7') => false,
+        _ => {
+            return Err(format!(
+                "`{section}` is no link: its first letter is not Y, N or their like"
+            ));
+        }
     };
     let is_piston = match letters.next() {
         Some('R') => false,

@@ -1,13 +1,17 @@
 //! Joints that are welded: the links through one are one link.
 
-use super::records::{Member, Records};
+use super::records::{Joint, Member, Records};
 use crate::import::drawing::Drawing;
 
 /// Makes one link of the links at each welded joint: a block takes the name of its rod. Parts of one compound link are
-/// welded to one another, and to nothing else that goes through their joint: a piston is pinned there.
+/// welded to one another, and to nothing else that goes through their joint: a piston is pinned there. A prismatic joint
+/// without a piston is welded to its link.
 pub(super) fn weld(drawing: &mut Drawing, records: &Records<'_>) {
-    let welded = records.joints.iter().filter(|joint| joint.is_welded && !joint.is_prismatic);
-    for joint in welded.filter(|joint| !is_within_a_link(records, joint.id)) {
+    let is_one = |joint: &&Joint<'_>| match joint.is_prismatic {
+        true => records.is_slider(joint),
+        false => !is_within_a_link(records, joint.id),
+    };
+    for joint in records.joints.iter().filter(|joint| joint.is_welded).filter(is_one) {
         let all: Vec<String> = drawing.at(joint.id).map(|link| link.id.clone()).collect();
         let is_rod = |id: &&String| {
             let mut members = records.members.iter();

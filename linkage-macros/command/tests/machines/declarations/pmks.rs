@@ -2,10 +2,31 @@
 
 use linkage_core::mechanism;
 
+// pmks/blocks_of_joints.txt
+mechanism! {
+    pub struct PmksBlocksOfJoints {
+        // Left out: the speed of the input at `A`, 4 rpm.
+        // Left out: colours.
+        // `block_C` is welded to `CD` at `C`: both are `CD`.
+        input theta: angle;
+        ground A(0, 0);
+        pin B(3cm, 0), C(3cm, -5cm), D(3cm, 5cm);
+        guide guide_B on CD through C towards D;
+        guide guide_C through (3cm, -5cm) along 0deg;
+        link AB(A, B);
+        link CD(C, D) on guide_C;
+        link block_B(B) on guide_B;
+        drive AB.angle = theta;
+        mass 0.5g on block_B at (0, 0) inertia 0(kg*cm^2);
+        mass 2g on AB at (1.5cm, 0) inertia 0.5(kg*cm^2);
+        mass 3g on CD at (5cm, 0) inertia 4(kg*cm^2);
+    }
+}
+
 // pmks/boom.txt
 mechanism! {
     pub struct PmksBoom {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `Z2`, 20.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input s: length;
@@ -22,7 +43,7 @@ mechanism! {
 // pmks/driven_elbow.txt
 mechanism! {
     pub struct PmksDrivenElbow {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `B`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -38,7 +59,7 @@ mechanism! {
 // pmks/four_bar.txt
 mechanism! {
     pub struct PmksFourBar {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -54,7 +75,7 @@ mechanism! {
 // pmks/loaded_four_bar.txt
 mechanism! {
     pub struct PmksLoadedFourBar {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         input theta: angle;
         ground A(0, 0), D(400cm, 0);
@@ -75,7 +96,7 @@ mechanism! {
 // pmks/older.txt
 mechanism! {
     pub struct PmksOlder {
-        // Left out: the speed of the input, 10 rpm.
+        // Left out: the speed of the input at `a`, 10 rpm.
         // Left out: gravity.
         input theta: angle;
         ground a(0, 0);
@@ -96,7 +117,7 @@ mechanism! {
 // pmks/peaucellier.txt
 mechanism! {
     pub struct PmksPeaucellier {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -116,7 +137,7 @@ mechanism! {
 // pmks/rounded_parallelogram.txt
 mechanism! {
     pub struct PmksRoundedParallelogram {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         // `C` was at (50.607, 10.606): `AB` and `DC` are made parallel and equal.
@@ -133,7 +154,7 @@ mechanism! {
 // pmks/slider_crank.txt
 mechanism! {
     pub struct PmksSliderCrank {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -150,7 +171,7 @@ mechanism! {
 // pmks/slotted_coupler.txt
 mechanism! {
     pub struct PmksSlottedCoupler {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -169,7 +190,7 @@ mechanism! {
 // pmks/stephenson_3.txt
 mechanism! {
     pub struct PmksStephenson3 {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -187,7 +208,7 @@ mechanism! {
 // pmks/triad.txt
 mechanism! {
     pub struct PmksTriad {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -205,7 +226,7 @@ mechanism! {
 // pmks/upright_slider.txt
 mechanism! {
     pub struct PmksUprightSlider {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         // `guide_Z` is along 90deg, which PMKS+ wrote as 1.571 rad.
@@ -223,7 +244,7 @@ mechanism! {
 // pmks/watt_1.txt
 mechanism! {
     pub struct PmksWatt1 {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -241,7 +262,7 @@ mechanism! {
 // pmks/welded_cylinder.txt
 mechanism! {
     pub struct PmksWeldedCylinder {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `S`, 20.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         // `PS` is welded to `PC` at `P`: both are `PC`.
@@ -259,7 +280,7 @@ mechanism! {
 // pmks/welded_parts.txt
 mechanism! {
     pub struct PmksWeldedParts {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `O`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         input theta: angle;
@@ -276,7 +297,7 @@ mechanism! {
 // pmks/welded_yoke.txt
 mechanism! {
     pub struct PmksWeldedYoke {
-        // Left out: the speed of the input, 20 rpm.
+        // Left out: the speed of the input at `A`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
         // `CF` is welded to `CD` at `C`: both are `CD`.
