@@ -49,7 +49,7 @@ fn add_files(folder: &Path, files: &mut Vec<PathBuf>) {
         let path = entry.expect("the folder can be read").path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let is_elsewhere =
-            name.starts_with('.') || ["target", "ui", "linkage-macros"].contains(&&name[..]);
+            name.starts_with('.') || ["target", "ui", "compiler"].contains(&&name[..]);
         let is_text = [".rs", ".md"].iter().any(|ending| name.ends_with(ending));
         match () {
             () if is_elsewhere => {}
