@@ -99,7 +99,7 @@ fn member(line: &str) -> Result<Member<'_>, Mistake> {
     let &[id, kind, mass, inertia, x, y, joints, ..] = &fields[..] else {
         return Err(format!("`{line}` is no link: it ends in front of its joints"));
     };
-    let [inertia, x, y] = [inertia, x, y].map(|text| number_or_null(text));
+    let [inertia, x, y] = [inertia, x, y].map(number_or_null);
     Ok(Member {
         id,
         title: id,

@@ -6,6 +6,9 @@
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
+use crate::interface::quantity::Order;
+use crate::interface::records::field_of_motion;
+
 static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| words(include_str!("reserved/words.txt")));
 
 static DECLARED: LazyLock<HashSet<&str>> =
@@ -60,7 +63,8 @@ pub(super) fn is_called(name: &str, stem: &str) -> bool {
     let action = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_'));
     let is_function = |action: &str| {
         let begins = ["try_", "why_"].iter().any(|begin| action.starts_with(begin));
-        begins || ["velocity", "velocity_f32"].contains(&action)
+        let width = action.strip_prefix(field_of_motion(Order::Velocity));
+        begins || width.is_some_and(|width| ["", "_f32"].contains(&width))
     };
     name.starts_with("linkage_") || action.is_some_and(is_function)
 }
