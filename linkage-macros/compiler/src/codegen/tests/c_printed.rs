@@ -55,6 +55,7 @@ fn print_every(nth: usize, root: &Path) -> Vec<String> {
             std::fs::write(folder.join(&file.name), &file.text).expect("it can be written");
         }
         assert!(!files[1].text.contains("--"), "{}: a decrement", declaration.name);
+        assert_eq!(set_aside_and_read(&files[1].text), [""; 0], "{}", declaration.name);
         sources.push(format!("{nth}/{}", files[1].name));
         // Parts of the run-time are the same text wherever they are printed.
         for part in files[4..].iter().filter(|part| !root.join(&part.name).exists()) {
@@ -65,6 +66,23 @@ fn print_every(nth: usize, root: &Path) -> Vec<String> {
     }
     assert!(refused.is_empty(), "{refused:?}");
     sources
+}
+
+/// Arguments of a machine that a function sets aside by `(void)`, though its body reads them. The residual of a
+/// search sets its own two aside in any case.
+fn set_aside_and_read(source: &str) -> Vec<&str> {
+    source.split("\n}\n").flat_map(of_body).collect()
+}
+
+fn of_body(function: &str) -> impl Iterator<Item = &str> {
+    let is_of_a_name = |letter: char| letter.is_alphanumeric() || letter == '_';
+    let lines = function.lines();
+    let names = lines.filter_map(|line| line.trim().strip_prefix("(void)")?.strip_suffix(';'));
+    names.filter(|name| !["given", "trial_"].contains(name)).filter(move |name| {
+        let words = function.split(|letter| !is_of_a_name(letter));
+        // Its declaration is one, and what sets it aside another.
+        words.filter(|word| word == name).count() > 2
+    })
 }
 
 /// As C and as C++; `.ci/nightly` asks the other compilers, about every declaration.
