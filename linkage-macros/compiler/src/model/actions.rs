@@ -8,6 +8,7 @@ use crate::syntax::tree::{self, Action, Declaration, ExprKind, StatementKind};
 
 use super::Resolver;
 use super::acting::{Axes, Dynamics, Force, Load, Torque};
+use super::expressions::Allowed;
 use super::inputs::{add_names, follow_lets};
 use super::mechanism::{Body, Carrier, Dimension, LoadId, PointId, Scalar};
 use super::names::{Entity, Kind};
@@ -140,15 +141,14 @@ impl Resolver<'_> {
 
     /// The value of a force or a torque: loads may stand in it.
     pub(super) fn acting(&mut self, expr: &tree::Expr, dimension: Dimension) -> Option<Scalar> {
-        let value = self.freely(|resolver| resolver.scalar(expr, dimension)).0?;
+        let value = self.scalar_where(expr, dimension, Allowed::IN_FORCES)?;
         self.is_linear_in_pull(expr, &value)?;
         Some(value)
     }
 
     /// A load stands in the value of a force or a torque, and nowhere else.
-    pub(super) fn load_stands_in_a_force(&mut self, name: &Ident) -> Option<()> {
-        if self.is_about_forces {
-            self.reads.load = true;
+    pub(super) fn load_stands_in_a_force(&mut self, name: &Ident, allowed: Allowed) -> Option<()> {
+        if allowed.forces {
             return Some(());
         }
         let message =

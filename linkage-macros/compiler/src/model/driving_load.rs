@@ -8,8 +8,8 @@ use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
 use super::Resolver;
 use super::acting::{Dynamics, Effort, Load};
 use super::dimension::Measure;
-use super::expressions::ResolvedExpr;
-use super::facts::Degree;
+use super::expressions::{Allowed, ResolvedExpr};
+use super::facts::{Degree, Reads};
 use super::ids::{InputId, LinkId};
 use super::mechanism::{
     Drive, Group, GuideDirection, Mechanism, Operator, Placement, Scalar, Slideway, Step, Through,
@@ -138,8 +138,8 @@ impl Resolver<'_> {
     }
 
     /// The value of a load in forces, torques and outputs.
-    pub(super) fn value_of_load(&mut self, name: &Ident) -> Option<ResolvedExpr> {
-        self.load_stands_in_a_force(name)?;
+    pub(super) fn value_of_load(&mut self, name: &Ident, allowed: Allowed) -> Option<ResolvedExpr> {
+        self.load_stands_in_a_force(name, allowed)?;
         let entity = self.usable(name, &[Kind::Load])?;
         let dynamics = &self.mechanism.dynamics;
         let (load, value) = match entity {
@@ -147,7 +147,9 @@ impl Resolver<'_> {
             Entity::Pull => (dynamics.pull.as_ref()?, Scalar::Pull),
             _ => return None,
         };
-        Some(ResolvedExpr::plain(Measure::Known(load.dimension), value))
+        let reads = Reads { load: true, ..Reads::default() };
+        let measure = Measure::Known(load.dimension);
+        Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, value) })
     }
 
     /// The power to which a number contains the load that drives an input.

@@ -63,7 +63,7 @@ impl Parts<'_> {
 }
 
 impl Resolver<'_> {
-    pub(super) fn group(&mut self, docs: &[Attribute], group: &tree::GroupStatement) {
+    pub(super) fn group(&mut self, docs: &[Attribute], group: &tree::GroupStatement, moves: bool) {
         let Some(anatomy) = GroupSpec::of(&group.keyword.to_string()) else {
             self.group_exists(&group.keyword);
             self.names_stay_unknown(group);
@@ -86,23 +86,23 @@ impl Resolver<'_> {
         let fields = self.fields(group, anatomy);
         let parts = Parts { group, anatomy, id, links, outer, pin, fields };
         let step = self.jointed(&parts).map(Step::Group);
-        self.facts_of_what_was_made(&parts, step.is_some());
+        self.facts_of_what_was_made(&parts, step.is_some(), moves);
         self.mechanism.steps.extend(step);
     }
 
     /// Everything a group makes moves if anything it was given moves.
-    fn facts_of_what_was_made(&mut self, parts: &Parts, is_placed: bool) {
+    fn facts_of_what_was_made(&mut self, parts: &Parts, is_placed: bool, moves: bool) {
         let pin_is_known = parts.pin.is_some() == parts.has_pin();
         for (link, joint) in parts.links.iter().zip(&parts.outer) {
             if let Some(link) = link {
                 let facts = &mut self.facts.links[link.index()];
-                facts.moves = self.moves;
+                facts.moves = moves;
                 facts.has_its_joints = joint.is_some() && pin_is_known;
                 facts.is_placed = is_placed;
             }
         }
         if let Some(pin) = parts.pin {
-            self.facts.points[pin.index()] = self.moves;
+            self.facts.points[pin.index()] = moves;
         }
     }
 

@@ -27,23 +27,12 @@ fn conjugate(dimension: Dimension) -> Dimension {
 }
 
 impl Resolver<'_> {
-    /// An expression of an output, the readings that no pose has, and the efforts among them.
-    pub(super) fn of_output(
-        &mut self,
-        value: &tree::Expr,
-    ) -> (Option<ResolvedExpr>, Reads, Vec<Effort>) {
-        self.efforts_read = Some(Vec::new());
-        let (quantity, reads) = self.freely(|resolver| resolver.quantity(value));
-        (quantity, reads, self.efforts_read.take().unwrap_or_default())
-    }
-
     /// A number of efforts, rates and loads as an output.
     pub(super) fn give_formula(
         &mut self,
         (name, docs): (&Ident, &[Attribute]),
         value: &tree::Expr,
         quantity: ResolvedExpr,
-        reads: Vec<Effort>,
     ) {
         if self.no_link_angle(value, &quantity).is_none() {
             return;
@@ -65,6 +54,7 @@ impl Resolver<'_> {
         let dynamics = &mut self.mechanism.dynamics;
         let effort = Effort::Formula(FormulaId(dynamics.formulas.len() as u32));
         let dimension = quantity.measure.dimension();
+        let reads = quantity.reads.efforts;
         dynamics.formulas.push(Formula { value: quantity.rest, dimension, reads });
         let (owner, field) = (name.clone(), name.clone());
         dynamics.asked.push(RequestedEffort { owner, field, docs: docs.to_vec(), effort });
@@ -80,7 +70,6 @@ impl Resolver<'_> {
         owner: &Ident,
         member: &Ident,
     ) -> Option<Option<ResolvedExpr>> {
-        self.efforts_read.as_ref()?;
         if let Some(Kind::Spring) = self.names.kind(owner) {
             let effort = self.effort_of_spring(owner, member);
             return Some(effort.and_then(|effort| self.reading(member, effort, 0)));
@@ -240,10 +229,9 @@ impl Resolver<'_> {
     /// A component of an effort, which an output reads.
     fn reading(&mut self, at: &Ident, effort: Effort, part: usize) -> Option<ResolvedExpr> {
         self.effort_is_known(at, effort)?;
-        self.reads.effort = true;
-        self.efforts_read.as_mut()?.push(effort);
+        let reads = Reads { efforts: vec![effort], ..Reads::default() };
         let measure = Measure::Known(self.dimension_of(effort, part));
-        Some(ResolvedExpr::plain(measure, Scalar::Effort(effort, part)))
+        Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, Scalar::Effort(effort, part)) })
     }
 
     fn dimension_of(&self, effort: Effort, part: usize) -> Dimension {

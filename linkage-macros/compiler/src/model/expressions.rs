@@ -9,6 +9,7 @@ use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::Resolver;
 use super::dimension::Measure;
+use super::facts::Reads;
 use super::folding::shown;
 use super::mechanism::{AngleSum, Dimension, LinkId, Operator, ParamKind, Scalar};
 use super::names::{Entity, Kind, NUMBERS};
@@ -18,6 +19,26 @@ pub(super) struct ResolvedExpr {
     pub measure: Measure,
     pub links: Vec<(LinkId, i32)>,
     pub rest: Scalar,
+    pub reads: Reads,
+}
+
+/// Readings that may stand where an expression does.
+#[derive(Clone, Copy)]
+pub(super) struct Allowed {
+    /// Loads, rates, and laws of them.
+    pub forces: bool,
+    /// Functions with a corner.
+    pub corners: bool,
+    /// Efforts and reactions.
+    pub efforts: bool,
+}
+
+impl Allowed {
+    /// In what a machine is made of, and how it moves.
+    pub(super) const IN_DIMENSIONS: Self = Self { forces: false, corners: false, efforts: false };
+    /// In forces and torques, and in what is named: that is refused where it is used.
+    pub(super) const IN_FORCES: Self = Self { forces: true, corners: true, efforts: false };
+    pub(super) const IN_OUTPUTS: Self = Self { efforts: true, ..Self::IN_FORCES };
 }
 
 /// Why a link's angle stands only in sums, times an integer.
@@ -35,7 +56,7 @@ pub(super) const RATE: &str = "rate";
 
 impl ResolvedExpr {
     pub(super) fn plain(measure: Measure, rest: Scalar) -> Self {
-        Self { measure, links: Vec::new(), rest }
+        Self { measure, links: Vec::new(), rest, reads: Reads::default() }
     }
 
     pub(super) fn constant(measure: Measure, value: Exact) -> Self {
@@ -78,35 +99,47 @@ impl ResolvedExpr {
 }
 
 impl Resolver<'_> {
-    /// Resolves an expression, and reports every mistake in it.
+    /// Resolves an expression of a dimension, and reports every mistake in it.
     pub(super) fn quantity(&mut self, expr: &tree::Expr) -> Option<ResolvedExpr> {
+        self.expression(expr, Allowed::IN_DIMENSIONS)
+    }
+
+    /// Resolves an expression, and reports every mistake in it.
+    pub(super) fn expression(
+        &mut self,
+        expr: &tree::Expr,
+        allowed: Allowed,
+    ) -> Option<ResolvedExpr> {
         match &expr.kind {
             ExprKind::Number { digits, units } => self.literal(expr.span, digits, units),
             ExprKind::Name(name) if name == "pi" => {
                 Some(ResolvedExpr::constant(Measure::ANGLE, Exact::pi()))
             }
-            ExprKind::Name(name) if name == "losses" && self.efforts_read.is_some() => {
-                self.losses_read(name)
-            }
-            ExprKind::Name(name) => self.named_number(name),
+            ExprKind::Name(name) if name == "losses" && allowed.efforts => self.losses_read(name),
+            ExprKind::Name(name) => self.named_number(name, allowed),
             ExprKind::Member(owner, member) => {
-                let effort = self.effort_read(owner, member);
-                effort.unwrap_or_else(|| self.member(owner, member))
+                let effort = allowed.efforts.then(|| self.effort_read(owner, member)).flatten();
+                effort.unwrap_or_else(|| self.member(owner, member, allowed))
             }
-            ExprKind::Part(path) => self.part_read(path),
+            ExprKind::Part(path) if allowed.efforts => self.part_read(path),
+            ExprKind::Part(path) => {
+                // Its names are looked at.
+                self.part_read(path)?;
+                None
+            }
             ExprKind::Negate(inner) => {
-                let mut quantity = self.quantity(inner)?;
+                let mut quantity = self.expression(inner, allowed)?;
                 quantity.scale_links(-1)?;
                 quantity.rest = quantity.rest.negated();
                 Some(quantity)
             }
-            ExprKind::Chain(first, rest) => self.chain(first, rest),
+            ExprKind::Chain(first, rest) => self.chain(first, rest, allowed),
             ExprKind::Call(function, arguments) => {
                 let quantity = match () {
                     () if function == DISTANCE => self.distance(function, arguments),
                     () if function == OFFSET => self.offset_from_guide(function, arguments),
-                    () if function == RATE => self.rate(function, arguments),
-                    () => self.call(function, arguments),
+                    () if function == RATE => self.rate(function, arguments, allowed),
+                    () => self.call(function, arguments, allowed),
                 }?;
                 self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
                 Some(quantity)
@@ -121,12 +154,13 @@ impl Resolver<'_> {
         &mut self,
         first: &tree::Expr,
         rest: &[(BinaryOp, tree::Expr)],
+        allowed: Allowed,
     ) -> Option<ResolvedExpr> {
         self.units_have_parentheses(first, rest)?;
-        let (mut span, mut left) = (first.span, self.quantity(first));
+        let (mut span, mut left) = (first.span, self.expression(first, allowed));
         for (operator, operand) in rest {
             // Operands after a mistake are still checked.
-            let right = self.quantity(operand);
+            let right = self.expression(operand, allowed);
             let sides = left.zip(right);
             left = sides.and_then(|(left, right)| {
                 self.operation(*operator, (span, left), (operand, right))
@@ -145,6 +179,7 @@ impl Resolver<'_> {
         right: (&tree::Expr, ResolvedExpr),
     ) -> Option<ResolvedExpr> {
         let span = left.0.to(right.0.span);
+        let reads = left.1.reads.clone().and(right.1.reads.clone());
         let quantity = match operator {
             BinaryOp::Add => self.sum(Operator::Add, left, right),
             BinaryOp::Sub => self.sum(Operator::Sub, left, right),
@@ -154,12 +189,12 @@ impl Resolver<'_> {
         if let Scalar::Constant(value) = &quantity.rest {
             self.number_can_be_held(span, Some(value))?;
         }
-        Some(quantity)
+        Some(ResolvedExpr { reads, ..quantity })
     }
 
-    fn named_number(&mut self, name: &Ident) -> Option<ResolvedExpr> {
+    fn named_number(&mut self, name: &Ident, allowed: Allowed) -> Option<ResolvedExpr> {
         if self.names.kind(name) == Some(Kind::Load) {
-            return self.value_of_load(name);
+            return self.value_of_load(name, allowed);
         }
         match self.usable(name, &NUMBERS)? {
             Entity::Input(id) => {
@@ -175,7 +210,7 @@ impl Resolver<'_> {
                 let measure = self.facts.params[id.index()].measure;
                 Some(ResolvedExpr::plain(measure, Scalar::Param(id)))
             }
-            entity @ (Entity::Let(_) | Entity::Law(_)) => self.value_of_let(name, entity),
+            entity @ (Entity::Let(_) | Entity::Law(_)) => self.value_of_let(name, entity, allowed),
             Entity::Unknown(id) => {
                 let measure = Measure::Known(self.mechanism.unknowns[id.index()].dimension);
                 Some(ResolvedExpr::plain(measure, Scalar::Unknown(id)))
@@ -283,7 +318,12 @@ impl Resolver<'_> {
         None
     }
 
-    fn call(&mut self, name: &Ident, arguments: &[tree::Expr]) -> Option<ResolvedExpr> {
+    fn call(
+        &mut self,
+        name: &Ident,
+        arguments: &[tree::Expr],
+        allowed: Allowed,
+    ) -> Option<ResolvedExpr> {
         let Some(function) = Function::named(&name.to_string()) else {
             if self.member_as_a_function(name, arguments) {
                 return None;
@@ -292,10 +332,11 @@ impl Resolver<'_> {
             // It may be a function of points or guides.
             let numbers = arguments.iter().filter(|argument| !self.is_a_place(argument));
             let numbers: Vec<_> = numbers.collect();
-            numbers.into_iter().for_each(|argument| drop(self.quantity(argument)));
+            numbers.into_iter().for_each(|argument| drop(self.expression(argument, allowed)));
             return None;
         };
-        let values: Vec<_> = arguments.iter().map(|argument| self.quantity(argument)).collect();
+        let values = arguments.iter().map(|argument| self.expression(argument, allowed));
+        let values: Vec<_> = values.collect();
         if arguments.len() != function.arity() {
             let takes = if function.arity() == 1 { "one argument" } else { "two arguments" };
             let message = format!("`{name}` takes {takes}, and {} given", counted(arguments.len()));
@@ -307,6 +348,8 @@ impl Resolver<'_> {
             self.no_link_angle(argument, value)?;
         }
         let measure = self.measure_of_call(function, arguments, &values)?;
+        let mut reads =
+            values.iter().fold(Reads::default(), |all, value| all.and(value.reads.clone()));
         let rests = Self::arguments_above_zero(function, arguments, values);
         let constants: Vec<_> =
             rests.iter().filter_map(|rest| rest.constant()).map(shown).collect();
@@ -317,15 +360,15 @@ impl Resolver<'_> {
         }
         let called = called?;
         if !function.is_smooth() && !called.is_constant() {
-            self.reads.corner = Some(function.name());
+            reads.corner = Some(function.name());
         }
-        if !function.is_smooth() && !called.is_constant() && !self.may_have_corners {
+        if !function.is_smooth() && !called.is_constant() && !allowed.corners {
             let message = format!("`{name}` stands in forces, torques and outputs alone");
             let reason = "a dimension is smooth: write `hypot(x, e)` with a small `e` for `abs(x)`";
             self.diagnostics.error_because(name.span(), message, reason);
             return None;
         }
-        Some(ResolvedExpr::plain(measure, called))
+        Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, called) })
     }
 
     /// Reports `angle(BC)` and `x(P)`; whether it was one of these.

@@ -5,10 +5,12 @@ use crate::exact::Exact;
 use crate::reach::line::BodyLine;
 use crate::syntax::tree::Declaration;
 
+use super::acting::Effort;
 use super::dimension::Measure;
 use super::literals::longest_in_small_units;
 use super::mechanism::{Carrier, GuideId, PointId, Scalar};
 use super::names::Entity;
+use super::searched::Searched;
 
 #[derive(Default)]
 pub(super) struct Facts {
@@ -24,6 +26,8 @@ pub(super) struct Facts {
     pub links: Vec<LinkFacts>,
     /// By guide.
     pub guides: Vec<GuideFacts>,
+    /// By unknown.
+    pub searches: Vec<Searched>,
     /// By unknown: where its ends stand.
     pub ends_of_unknowns: Vec<[Extent; 2]>,
     /// Points, links and unknowns in order of declaration.
@@ -47,12 +51,12 @@ pub(super) struct ParamFacts {
 }
 
 /// Readings of an expression that no dimension may have.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Default)]
 pub(super) struct Reads {
     pub load: bool,
     pub rate: bool,
-    /// An effort or a reaction.
-    pub effort: bool,
+    /// Efforts and reactions.
+    pub efforts: Vec<Effort>,
     /// A function with a corner.
     pub corner: Option<&'static str>,
 }
@@ -108,17 +112,16 @@ struct Location {
 
 impl Reads {
     /// True if the value is one of forces, and not of a pose.
-    pub(super) fn is_of_forces(self) -> bool {
-        self.load || self.rate || self.effort
+    pub(super) fn is_of_forces(&self) -> bool {
+        self.load || self.rate || !self.efforts.is_empty()
     }
 
-    pub(super) fn and(self, other: Self) -> Self {
-        Self {
-            load: self.load || other.load,
-            rate: self.rate || other.rate,
-            effort: self.effort || other.effort,
-            corner: self.corner.or(other.corner),
-        }
+    pub(super) fn and(mut self, other: Self) -> Self {
+        self.load |= other.load;
+        self.rate |= other.rate;
+        self.efforts.extend(other.efforts);
+        self.corner = self.corner.or(other.corner);
+        self
     }
 }
 
@@ -126,6 +129,11 @@ impl Facts {
     /// The facts that hold before the first statement is resolved.
     pub(super) fn of(tree: &Declaration) -> Self {
         Self { longest_in_small_units: longest_in_small_units(tree), ..Self::default() }
+    }
+
+    /// The unknown that is searched: one that is not solved yet.
+    pub(super) fn searched(&self) -> Option<&Searched> {
+        self.searches.last().filter(|searched| !searched.ended)
     }
 
     /// True if the entity depends on an input.

@@ -20,6 +20,7 @@ impl Resolver<'_> {
         on: Option<&Ident>,
         through: &tree::GuideAnchor,
         course: &tree::Course,
+        moves: bool,
     ) {
         let is_new = self.name_is_new(name).is_some();
         let carrier = self.carrier(on);
@@ -46,7 +47,7 @@ impl Resolver<'_> {
             _ => None,
         };
         let line = place.zip(angle.clone()).map(|(through, angle)| BodyLine { through, angle });
-        self.facts.guides.push(GuideFacts { moves: self.moves, carrier, line, angle });
+        self.facts.guides.push(GuideFacts { moves, carrier, line, angle });
         if let (Some((through, _)), Some((course, _)), Some(())) = (through, course, differ) {
             self.mechanism.steps.push(Step::Guide { guide: id, carrier, through, course });
         }

@@ -6,20 +6,22 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{self, ExprKind};
 
 use super::Resolver;
-use super::expressions::ResolvedExpr;
+use super::expressions::{Allowed, ResolvedExpr};
 use super::facts::{LetFacts, Reads};
 use super::mechanism::{LawId, LetId, Scalar};
 use super::names::Entity;
 
 impl Resolver<'_> {
-    pub(super) fn named_expression(&mut self, name: &Ident, value: &tree::Expr) {
+    pub(super) fn named_expression(&mut self, name: &Ident, value: &tree::Expr, moves: bool) {
         let is_new = self.name_is_new(name).is_some();
         // It is refused where it is used, if it does not stand there.
-        let (quantity, reads) = self.freely(|resolver| resolver.quantity(value));
+        let quantity = self.expression(value, Allowed::IN_FORCES);
         let (true, Some(quantity)) = (is_new, quantity) else { return };
         let pull = self.degree(&quantity.rest);
-        let facts = LetFacts { measure: quantity.measure, moves: self.moves, reads, pull };
-        let entity = match reads.is_of_forces() {
+        let (measure, reads) = (quantity.measure, quantity.reads.clone());
+        let is_law = reads.is_of_forces();
+        let facts = LetFacts { measure, moves, reads, pull };
+        let entity = match is_law {
             true => {
                 self.facts.laws.push(facts);
                 let laws = &mut self.mechanism.dynamics.laws;
@@ -35,19 +37,13 @@ impl Resolver<'_> {
         self.names.bind(name, entity);
     }
 
-    /// Resolves an expression in which loads, rates and corners may stand, and tells which do.
-    pub(super) fn freely<T>(&mut self, resolve: impl FnOnce(&mut Self) -> T) -> (T, Reads) {
-        let before = (self.is_about_forces, self.may_have_corners, self.reads);
-        (self.is_about_forces, self.may_have_corners) = (true, true);
-        self.reads = Reads::default();
-        let resolved = resolve(self);
-        let reads = self.reads;
-        (self.is_about_forces, self.may_have_corners, self.reads) = before;
-        (resolved, reads)
-    }
-
     /// The value of a `let`, where it may stand here.
-    pub(super) fn value_of_let(&mut self, name: &Ident, entity: Entity) -> Option<ResolvedExpr> {
+    pub(super) fn value_of_let(
+        &mut self,
+        name: &Ident,
+        entity: Entity,
+        allowed: Allowed,
+    ) -> Option<ResolvedExpr> {
         let (facts, sum, rest) = match entity {
             Entity::Let(id) => {
                 let sum = &self.mechanism.lets[id.index()];
@@ -60,16 +56,20 @@ impl Resolver<'_> {
             }
             _ => return None,
         };
-        let (measure, links, reads) = (facts.measure, sum.links.clone(), facts.reads);
-        self.law_stands_here(name, reads)?;
-        self.reads = self.reads.and(reads);
-        Some(ResolvedExpr { measure, links, rest })
+        let (measure, links, reads) = (facts.measure, sum.links.clone(), facts.reads.clone());
+        self.law_stands_here(name, &reads, allowed)?;
+        Some(ResolvedExpr { measure, links, rest, reads })
     }
 
     /// A law of rates or loads stands in forces, torques and outputs.
-    pub(super) fn law_stands_here(&mut self, name: &Ident, reads: Reads) -> Option<()> {
+    pub(super) fn law_stands_here(
+        &mut self,
+        name: &Ident,
+        reads: &Reads,
+        allowed: Allowed,
+    ) -> Option<()> {
         let (message, reason) = match (reads.corner, reads.is_of_forces()) {
-            (_, true) if !self.is_about_forces => {
+            (_, true) if !allowed.forces => {
                 let what = match (reads.load, reads.rate) {
                     (true, true) => "loads and rates",
                     (true, false) => "a load",
@@ -82,7 +82,7 @@ impl Resolver<'_> {
                     "what the mechanism is made of and how it moves depends on no load and no rate",
                 )
             }
-            (Some(function), false) if !self.may_have_corners => (
+            (Some(function), false) if !allowed.corners => (
                 format!(
                     "`{name}` has a corner by `{function}`, and stands in forces, torques and outputs \
                      alone"
@@ -96,10 +96,10 @@ impl Resolver<'_> {
     }
 
     /// The part of an expression is a law of which this is true.
-    pub(super) fn is_law(&self, part: &tree::Expr, reads: impl Fn(Reads) -> bool) -> bool {
+    pub(super) fn is_law(&self, part: &tree::Expr, reads: impl Fn(&Reads) -> bool) -> bool {
         let ExprKind::Name(name) = &part.kind else { return false };
         match self.names.entity(name) {
-            Some(Entity::Law(id)) => reads(self.facts.laws[id.index()].reads),
+            Some(Entity::Law(id)) => reads(&self.facts.laws[id.index()].reads),
             _ => false,
         }
     }

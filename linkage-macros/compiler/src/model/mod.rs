@@ -77,7 +77,6 @@ pub(crate) use driving_load::load_does_no_work;
 use facts::Facts;
 use mechanism::{Mechanism, References};
 use names::{Names, TooEarly};
-use searched::Searched;
 
 /// The stub of a declaration in which something was reported.
 pub(crate) struct Stub(pub Box<Mechanism>);
@@ -162,8 +161,6 @@ struct Resolver<'d> {
     names: Names,
     mechanism: Mechanism,
     facts: Facts,
-    /// True if the statement being resolved depends on an input so far.
-    moves: bool,
     /// Names used before they are made.
     too_early: Vec<TooEarly>,
     /// True if a mistake may have hidden the use of an input.
@@ -172,20 +169,8 @@ struct Resolver<'d> {
     number_is_unknown: bool,
     /// Names that nothing declares, and that were reported.
     reported_unknown: HashSet<String>,
-    /// True while the value of a force or a torque is resolved: loads and rates may stand in it.
-    is_about_forces: bool,
-    /// True while such a value or an output is resolved: it may have corners.
-    may_have_corners: bool,
-    /// Readings so far of the expression in hand.
-    reads: facts::Reads,
-    /// Efforts that the output in hand has read so far; none where no expression reads one.
-    efforts_read: Option<Vec<acting::Effort>>,
     /// Where gravity is given.
     gravity_at: Option<proc_macro2::Span>,
-    /// The unknown between its `unknown` and its `solve`.
-    searched: Option<Searched>,
-    /// True if the statement being resolved depends on the searched unknown so far.
-    follows: bool,
     /// The load that drives an input.
     driving: Option<String>,
     /// The names behind `solve`.
@@ -202,18 +187,11 @@ impl<'d> Resolver<'d> {
             names: Names::collect(tree),
             mechanism: empty(tree),
             facts: Facts::of(tree),
-            moves: false,
             too_early: Vec::new(),
             use_is_hidden: false,
             number_is_unknown: false,
             reported_unknown: HashSet::new(),
-            is_about_forces: false,
-            may_have_corners: false,
-            reads: facts::Reads::default(),
-            efforts_read: None,
             gravity_at: None,
-            searched: None,
-            follows: false,
             driving: driving_load::named_by(tree).map(Ident::to_string),
             solved: tree.statements.iter().filter_map(solved).collect(),
             pins: HashSet::new(),
@@ -225,7 +203,6 @@ impl Resolver<'_> {
     fn statements(&mut self, tree: &Declaration) {
         for (index, statement) in tree.statements.iter().enumerate() {
             self.names.go_to(index);
-            self.moves = false;
             self.statement(statement);
             self.note_what_follows(statement);
         }
@@ -234,24 +211,26 @@ impl Resolver<'_> {
 
     fn statement(&mut self, statement: &Statement) {
         let docs = &statement.docs;
+        // What a statement makes moves if anything that it uses does.
+        let moves = self.uses(statement, |resolver, entity| resolver.facts.moves(entity));
         match &statement.kind {
             StatementKind::Input { names, kind } => self.input(docs, names, kind.as_ref()),
             StatementKind::Param { name, kind, default } => {
                 self.param(docs, name, kind.as_ref(), default);
             }
-            StatementKind::Let { name, value } => self.named_expression(name, value),
+            StatementKind::Let { name, value } => self.named_expression(name, value, moves),
             StatementKind::Unknown { name, kind, between } => {
                 self.unknown(docs, name, kind.as_ref(), between.as_ref());
             }
             StatementKind::Solve(solve) => self.solve(solve),
             StatementKind::Ground { points } => self.ground(docs, points),
             StatementKind::Guide { name, on, through, course } => {
-                self.guide_line(name, on.as_ref(), through, course);
+                self.guide_line(name, on.as_ref(), through, course, moves);
             }
             StatementKind::Point { name, on, place } => {
-                self.placed_point(docs, name, on.as_ref(), place);
+                self.placed_point(docs, name, on.as_ref(), place, moves);
             }
-            StatementKind::Group(group) => self.group(docs, group),
+            StatementKind::Group(group) => self.group(docs, group, moves),
             // Outputs may name anything, wherever they stand: they come last. Drawn links were made
             // into groups.
             StatementKind::Output { .. }

@@ -8,7 +8,7 @@ use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::Resolver;
 use super::dimension::Measure;
-use super::expressions::{ANGLE_REASON, ResolvedExpr};
+use super::expressions::{ANGLE_REASON, Allowed, ResolvedExpr};
 use super::folding::shown;
 use super::mechanism::{AngleSum, Dimension, ParamKind, Scalar};
 use super::names::{Entity, Kind};
@@ -38,7 +38,16 @@ impl Resolver<'_> {
     }
 
     pub(super) fn scalar(&mut self, expr: &tree::Expr, wanted: Dimension) -> Option<Scalar> {
-        let quantity = self.quantity(expr)?;
+        self.scalar_where(expr, wanted, Allowed::IN_DIMENSIONS)
+    }
+
+    pub(super) fn scalar_where(
+        &mut self,
+        expr: &tree::Expr,
+        wanted: Dimension,
+        allowed: Allowed,
+    ) -> Option<Scalar> {
+        let quantity = self.expression(expr, allowed)?;
         self.dimension_fits(expr, &quantity, wanted)?;
         self.no_link_angle(expr, &quantity)?;
         Some(quantity.rest)

@@ -9,6 +9,7 @@ use crate::syntax::tree::{Declaration, StatementKind};
 
 use super::Resolver;
 use super::class_three;
+use super::expressions::Allowed;
 use super::facts::Reads;
 use super::names::{Entity, declared_by, listed, title};
 use super::needs::Needs;
@@ -24,7 +25,7 @@ impl Resolver<'_> {
             !matches!(user, StatementKind::Let { .. } | StatementKind::Action(_))
         });
         uses.filter_map(|use_| match self.names.made(&use_.name)? {
-            Entity::Law(id) => Some((use_.name.clone(), self.facts.laws[id.index()].reads)),
+            Entity::Law(id) => Some((use_.name.clone(), self.facts.laws[id.index()].reads.clone())),
             _ => None,
         })
         .next()
@@ -35,7 +36,7 @@ impl Resolver<'_> {
     pub(super) fn statements_are_in_order(&mut self, tree: &Declaration) {
         if let Some((name, reads)) = self.law_in_a_dimension(tree) {
             // No order would help.
-            self.law_stands_here(&name, reads);
+            self.law_stands_here(&name, &reads, Allowed::IN_DIMENSIONS);
             return;
         }
         let Some(first) = self.too_early.first() else {

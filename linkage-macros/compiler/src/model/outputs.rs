@@ -9,7 +9,7 @@ use crate::syntax::anatomy::GroupSpec;
 use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
 
 use super::Resolver;
-use super::expressions::{ResolvedExpr, bare_name};
+use super::expressions::{Allowed, ResolvedExpr, bare_name};
 use super::mechanism::{DeclaredOutput, LinkId, OutputKind, Scalar as Resolved};
 use super::names::{Entity, Kind};
 
@@ -91,7 +91,7 @@ impl Resolver<'_> {
             (None, ExprKind::Part(path)) => self.part_output(docs, path),
             (None, ExprKind::Mistake) => {}
             (None, _) => {
-                if self.of_output(&item.value).0.is_none() {
+                if self.expression(&item.value, Allowed::IN_OUTPUTS).is_none() {
                     return;
                 }
                 let message = "an expression needs a name; write `output name = …`";
@@ -104,10 +104,10 @@ impl Resolver<'_> {
     /// `fold = BC.angle - DC.angle`
     fn named_output(&mut self, docs: &[Attribute], name: &Ident, value: &Expr) {
         let is_new = self.output_name_is_new(name);
-        let (quantity, reads, efforts) = self.of_output(value);
+        let quantity = self.expression(value, Allowed::IN_OUTPUTS);
         let (Some(quantity), Some(())) = (quantity, is_new) else { return };
-        match reads.is_of_forces() {
-            true => self.give_formula((name, docs), value, quantity, efforts),
+        match quantity.reads.is_of_forces() {
+            true => self.give_formula((name, docs), value, quantity),
             false => self.give_quantity(name, docs, quantity),
         }
     }
@@ -184,17 +184,17 @@ impl Resolver<'_> {
 
     /// A `let` under its own name; a law stands in `forces`.
     fn let_output(&mut self, docs: &[Attribute], name: &Ident, entity: Entity) {
-        let (quantity, reads) = self.freely(|resolver| resolver.value_of_let(name, entity));
+        let quantity = self.value_of_let(name, entity, Allowed::IN_FORCES);
         let Some(mut quantity) = quantity else { return };
         if let Entity::Let(id) = entity {
             quantity.rest = self.mechanism.lets[id.index()].rest.clone();
         }
-        if !reads.is_of_forces() {
+        if !quantity.reads.is_of_forces() {
             return self.give_quantity(name, docs, quantity);
         }
         let kind = ExprKind::Name(name.clone());
         let value = Expr { kind, span: name.span().into() };
-        self.give_formula((name, docs), &value, quantity, Vec::new());
+        self.give_formula((name, docs), &value, quantity);
     }
 
     /// Reports a name that is given from outside or stands in the ground: it is no result.
@@ -273,7 +273,7 @@ impl Resolver<'_> {
 
     /// `blade.x`: the field `blade_x`.
     fn coordinate_output(&mut self, docs: &[Attribute], owner: &Ident, member: &Ident) {
-        if let Some(quantity) = self.member(owner, member) {
+        if let Some(quantity) = self.member(owner, member, Allowed::IN_DIMENSIONS) {
             let dimension = quantity.measure.dimension();
             let field = format_ident!("{owner}_{member}", span = owner.span());
             let kind = OutputKind::Value { value: quantity.rest, dimension };

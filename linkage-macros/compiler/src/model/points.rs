@@ -39,6 +39,7 @@ impl Resolver<'_> {
         name: &Ident,
         on: Option<&Ident>,
         place: &tree::PointPlace,
+        moves: bool,
     ) {
         let carrier = self.carrier(on);
         let damaged = matches!(place, tree::PointPlace::Mistake);
@@ -61,11 +62,11 @@ impl Resolver<'_> {
                 title: name.to_string(),
             });
         }
-        self.facts.points[point.index()] = self.moves;
-        if on.is_none() && !self.moves && matches!(place, Some(Placement::Cartesian(_))) {
+        self.facts.points[point.index()] = moves;
+        if on.is_none() && !moves && matches!(place, Some(Placement::Cartesian(_))) {
             self.fixed_point_is_ground(name);
         }
-        if carrier != Carrier::Ground || !self.moves {
+        if carrier != Carrier::Ground || !moves {
             let at = place.as_ref().and_then(constant_place);
             self.facts.fix(point, carrier, at);
         }

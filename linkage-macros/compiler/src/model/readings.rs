@@ -7,8 +7,8 @@ use crate::syntax::tree;
 
 use super::Resolver;
 use super::dimension::Measure;
-use super::expressions::bare_name;
-use super::expressions::{ResolvedExpr, counted};
+use super::expressions::{Allowed, ResolvedExpr, bare_name, counted};
+use super::facts::Reads;
 use super::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar, Step};
 use super::names::Kind;
 
@@ -22,7 +22,12 @@ fn is_of_forces(word: &str) -> bool {
 
 impl Resolver<'_> {
     /// The value of a member of a point or a link in an expression.
-    pub(super) fn member(&mut self, owner: &Ident, member: &Ident) -> Option<ResolvedExpr> {
+    pub(super) fn member(
+        &mut self,
+        owner: &Ident,
+        member: &Ident,
+        allowed: Allowed,
+    ) -> Option<ResolvedExpr> {
         match self.names.kind(owner) {
             Some(Kind::Point) => {
                 let point = self.point(owner);
@@ -34,7 +39,7 @@ impl Resolver<'_> {
                 self.friction_is_implicit(member);
                 None
             }
-            _ => self.member_of_link(owner, member),
+            _ => self.member_of_link(owner, member, allowed),
         }
     }
 
@@ -185,19 +190,25 @@ impl Resolver<'_> {
     }
 
     /// The value of a link's member: its angle, or its slide if it slides.
-    fn member_of_link(&mut self, owner: &Ident, member: &Ident) -> Option<ResolvedExpr> {
+    fn member_of_link(
+        &mut self,
+        owner: &Ident,
+        member: &Ident,
+        allowed: Allowed,
+    ) -> Option<ResolvedExpr> {
         let link = self.link(owner);
         match member.to_string().as_str() {
             "angle" => Some(ResolvedExpr {
                 measure: Measure::ANGLE,
                 links: vec![(link?, 1)],
                 rest: Scalar::zero(),
+                reads: Reads::default(),
             }),
             "slide" => {
                 self.link_slides(owner, link?, member)?;
                 Some(ResolvedExpr::plain(Measure::LENGTH, Scalar::Slide(link?)))
             }
-            "friction" if self.efforts_read.is_some() => {
+            "friction" if allowed.efforts => {
                 self.friction_is_at_a_joint(owner, member);
                 None
             }

@@ -38,9 +38,15 @@ impl References {
 
 /// Every name that a statement uses, as written.
 pub(super) fn names_used(statement: &Statement) -> Vec<Ident> {
-    let mut names: Vec<_> = joints(statement).into_iter().cloned().collect();
-    expressions(statement, &mut |expr| names_in(expr, &mut |name| names.push(name.clone())));
+    let mut names = Vec::new();
+    each_name_used(statement, &mut |name| names.push(name.clone()));
     names
+}
+
+/// Calls `f` with every name that a statement uses.
+pub(super) fn each_name_used(statement: &Statement, f: &mut impl FnMut(&Ident)) {
+    joints(statement).into_iter().for_each(&mut *f);
+    expressions(statement, &mut |expr| names_in(expr, &mut *f));
 }
 
 /// The points, links and guides that a statement builds on.

@@ -7,11 +7,13 @@ use proc_macro2::Ident;
 use super::mechanism::UnknownId;
 use super::names::Entity;
 
-/// The unknown between its `unknown` and its `solve`, and what has been made of it.
+/// An unknown, and what its statement and those behind it have made of it.
 pub(super) struct Searched {
     pub id: UnknownId,
     pub name: Ident,
     pub follows: HashSet<Entity>,
+    /// True behind its `solve`.
+    pub ended: bool,
 }
 
 impl Searched {

@@ -30,8 +30,10 @@ impl Resolver<'_> {
             (None, _) => Some(None),
         };
         // Also where it is in error it ends the search.
-        if unknown.is_some() || self.searched.as_ref().is_some_and(|s| s.name == solve.unknown) {
-            self.searched = None;
+        if let Some(searched) = self.facts.searches.last_mut()
+            && (unknown.is_some() || searched.name == solve.unknown)
+        {
+            searched.ended = true;
         }
         let Some(id) = unknown else { return };
         let steps = self.mechanism.steps.len();
@@ -46,7 +48,7 @@ impl Resolver<'_> {
     /// The unknown that is searched, which is solved once.
     fn unknown_to_solve(&mut self, name: &Ident) -> Option<super::mechanism::UnknownId> {
         let Entity::Unknown(id) = self.usable(name, &[Kind::Unknown])? else { return None };
-        if self.searched.as_ref().is_some_and(|searched| searched.id == id) {
+        if self.facts.searched().is_some_and(|searched| searched.id == id) {
             return Some(id);
         }
         let message = format!("`{name}` is solved already; remove this statement");
@@ -119,7 +121,7 @@ impl Resolver<'_> {
         [left, right]: [&tree::Expr; 2],
         equation: &Equation,
     ) -> Option<()> {
-        let searched = self.searched.as_ref()?;
+        let searched = self.facts.searched()?;
         let changes = |expr: &Scalar| self.changes_with(searched, expr);
         let moves = match equation {
             Equation::Difference(sides) => sides.iter().any(changes),
@@ -197,7 +199,7 @@ impl Resolver<'_> {
     /// Where a search begins is known before it.
     fn near(&mut self, near: &tree::Expr, dimension: Dimension) -> Option<Scalar> {
         let value = self.scalar(near, dimension)?;
-        let searched = self.searched.as_ref()?;
+        let searched = self.facts.searched()?;
         if !self.changes_with(searched, &value) {
             return Some(value);
         }

@@ -8,7 +8,7 @@ use crate::syntax::tree::{Expr, ExprKind, GroupStatement};
 
 use super::Resolver;
 use super::acting::{Effort, Ends, Magnitude, Spring};
-use super::expressions::{self, RATE};
+use super::expressions::{Allowed, RATE, ResolvedExpr, counted};
 use super::fields::Fields;
 use super::mechanism::{self, Dimension, OutputKind, SpringId};
 use super::names::{Entity, Kind};
@@ -187,29 +187,29 @@ impl Resolver<'_> {
         &mut self,
         name: &Ident,
         arguments: &[Expr],
-    ) -> Option<expressions::ResolvedExpr> {
-        let about_forces = std::mem::take(&mut self.is_about_forces);
+        allowed: Allowed,
+    ) -> Option<ResolvedExpr> {
         let argument = match arguments {
-            [argument] => self.argument_of_rate(argument),
+            [argument] => self.argument_of_rate(argument, Allowed { forces: false, ..allowed }),
             _ => {
-                let found = expressions::counted(arguments.len());
+                let found = counted(arguments.len());
                 let message = format!("`{name}` takes one argument, and {found} given");
                 self.diagnostics.error(name.span(), message);
                 None
             }
         };
-        self.is_about_forces = about_forces;
-        if !about_forces {
+        if !allowed.forces {
             let message = "a `rate` stands in forces, torques and outputs alone";
             let reason = "what the mechanism is made of depends on no rate";
             self.diagnostics.error_because(name.span(), message, reason);
             return None;
         }
-        self.reads.rate = true;
-        argument
+        let mut argument = argument?;
+        argument.reads.rate = true;
+        Some(argument)
     }
 
-    fn argument_of_rate(&mut self, argument: &Expr) -> Option<expressions::ResolvedExpr> {
+    fn argument_of_rate(&mut self, argument: &Expr, allowed: Allowed) -> Option<ResolvedExpr> {
         let load = self.first(argument, &|resolver, part| match &part.kind {
             ExprKind::Name(name) if resolver.names.kind(name) == Some(Kind::Load) => true,
             _ => resolver.is_law(part, |reads| reads.load),
@@ -232,9 +232,8 @@ impl Resolver<'_> {
             self.diagnostics.error_because(at, message, reason);
             return None;
         }
-        let efforts = self.efforts_read.as_ref().map(Vec::len);
-        let quantity = self.quantity(argument)?;
-        if self.efforts_read.as_ref().map(Vec::len) != efforts {
+        let quantity = self.expression(argument, allowed)?;
+        if !quantity.reads.efforts.is_empty() {
             let message = "the rate of an effort is not known";
             let reason = "it would follow from the rates of second rates, which no call is given";
             self.diagnostics.error_because(argument.span, message, reason);
@@ -249,7 +248,7 @@ impl Resolver<'_> {
         }
         let measure = quantity.measure.per_time();
         let rate = mechanism::Scalar::Rate(Box::new(quantity.turn()));
-        Some(expressions::ResolvedExpr::plain(measure, rate))
+        Some(ResolvedExpr::plain(measure, rate))
     }
 
     /// `shock.force`, `shock.length`; `clutch.torque`, `clutch.angle`.

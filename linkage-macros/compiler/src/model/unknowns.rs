@@ -62,12 +62,12 @@ impl Resolver<'_> {
         let ends = written.each_ref().map(|end| end.span);
         let follows = HashSet::from([Entity::Unknown(id)]);
         self.facts.ends_of_unknowns.push(ends);
-        self.searched = Some(Searched { id, name: name.clone(), follows });
+        self.facts.searches.push(Searched { id, name: name.clone(), follows, ended: false });
     }
 
     /// An unknown is solved before the next begins.
     fn one_is_searched_at_a_time(&mut self, name: &Ident) -> bool {
-        let Some(searched) = &self.searched else { return true };
+        let Some(searched) = self.facts.searched() else { return true };
         let first = &searched.name;
         let message = format!("solve `{first}` before this: one unknown is searched at a time");
         let reason = format!("move `unknown {name}` behind `solve {first} {{ … }}`");
@@ -135,12 +135,13 @@ impl Resolver<'_> {
     /// Notes what the statement has made with the unknown that is searched, or with what follows
     /// it.
     pub(super) fn note_what_follows(&mut self, statement: &tree::Statement) {
-        if !std::mem::take(&mut self.follows) {
+        let Some(searched) = self.facts.searched() else { return };
+        if !self.uses(statement, |_, entity| searched.reaches(entity)) {
             return;
         }
         let declared = super::names::declared_by(statement);
-        let made: Vec<_> = declared.iter().filter_map(|(name, _)| self.names.made(name)).collect();
-        if let Some(searched) = &mut self.searched {
+        let made = declared.iter().filter_map(|(name, _)| self.names.made(name));
+        if let Some(searched) = self.facts.searches.last_mut() {
             searched.follows.extend(made);
         }
     }
@@ -176,7 +177,7 @@ impl Resolver<'_> {
 
     /// Every unknown is solved.
     pub(super) fn every_unknown_is_solved(&mut self, tree: &Declaration) {
-        let Some(Searched { name, .. }) = self.searched.take() else { return };
+        let Some(Searched { name, .. }) = self.facts.searched() else { return };
         if tree.unread.may_hold("solve") || tree.unread.may_hold(&name.to_string()) {
             return;
         }

@@ -7,6 +7,8 @@ use crate::diagnostics::{Extent, nearest};
 use super::Resolver;
 use super::mechanism::{GuideId, LinkId, PointId};
 use super::names::{Entity, Kind, NUMBERS, Symbol, TooEarly, listed};
+use super::references::each_name_used;
+use crate::syntax::tree::Statement;
 use crate::syntax::words::{LIKELY_NAMES, UNITS};
 
 impl Resolver<'_> {
@@ -77,10 +79,16 @@ impl Resolver<'_> {
             }
             return None;
         }
-        let entity = symbol.entity?;
-        self.moves |= self.facts.moves(entity);
-        self.follows |= self.searched.as_ref().is_some_and(|searched| searched.reaches(entity));
-        Some(entity)
+        symbol.entity
+    }
+
+    /// True if the statement uses a name of which this is true.
+    pub(super) fn uses(&self, statement: &Statement, asks: impl Fn(&Self, Entity) -> bool) -> bool {
+        let mut found = false;
+        each_name_used(statement, &mut |name| {
+            found = found || self.names.entity(name).is_some_and(|entity| asks(self, entity));
+        });
+        found
     }
 
     /// Remembers that an unknown name for a number may be an input, or hold one.
