@@ -4,11 +4,12 @@ use proc_macro2::{Ident, Span};
 
 use crate::syntax::tree::{self, Action, Declaration, FrictionSite, StatementKind};
 
-use super::Resolver;
 use super::acting::{Contact, Friction, Magnitude};
 use super::folding::shown;
 use super::mechanism::{Body, Carrier, Dimension, Drive, Length, LinkId, PartOf, PointId, Scalar};
 use super::names::{Kind, listed};
+use super::scope::Scope;
+use super::{actions, driving_load, masses, uses};
 
 /// The most joints that rub where a load drives an input.
 const MOST: usize = 8;
@@ -18,310 +19,309 @@ fn of_link(link: &Ident, pin: &Ident) -> String {
     format!("`friction 0.1 on {link} at {pin} radius 8mm`")
 }
 
-impl Resolver<'_> {
-    /// Friction of every joint that is said to have some, once all joints are known. Where anything was
-    /// reported, a joint may be missing.
-    pub(super) fn frictions(&mut self, tree: &Declaration) {
-        if self.diagnostics.count() > 0 {
+/// Friction of every joint that is said to have some, once all joints are known. Where anything was
+/// reported, a joint may be missing.
+pub(super) fn frictions(scope: &mut Scope<'_>, tree: &Declaration) {
+    if scope.diagnostics.count() > 0 {
+        return;
+    }
+    for statement in &tree.statements {
+        let StatementKind::Action(Action::Friction(written)) = &statement.kind else {
+            continue;
+        };
+        let Some(friction) = friction(scope, written) else { continue };
+        if !scope.mechanism.unknowns.is_empty() {
+            let message = "beside an unknown no joint has friction";
+            let reason = "what holds the equation of `solve` follows from reactions, friction among them, and friction from it";
+            scope.diagnostics.error_because(written.at, message, reason);
+            continue;
+        }
+        if too_many_rub(scope, written.at) {
             return;
         }
-        for statement in &tree.statements {
-            let StatementKind::Action(Action::Friction(written)) = &statement.kind else {
-                continue;
-            };
-            let Some(friction) = self.friction(written) else { continue };
-            if !self.mechanism.unknowns.is_empty() {
-                let message = "beside an unknown no joint has friction";
-                let reason = "what holds the equation of `solve` follows from reactions, friction among them, and friction from it";
-                self.diagnostics.error_because(written.at, message, reason);
-                continue;
-            }
-            if self.too_many_rub(written.at) {
-                return;
-            }
-            let known = &self.mechanism.dynamics.frictions;
-            if known.iter().any(|known| known.contact.is_at(friction.contact)) {
-                let message = format!(
-                    "the friction of `{}` is given twice; remove one",
-                    self.mechanism.contact_name(friction.contact)
-                );
-                self.diagnostics.error(written.at, message);
-                continue;
-            }
-            self.mechanism.dynamics.frictions.push(friction);
-        }
-    }
-
-    /// Beside a load that drives all amounts follow from each other, and the code for them grows with their cube.
-    fn too_many_rub(&mut self, at: Span) -> bool {
-        let dynamics = &self.mechanism.dynamics;
-        let Some((_, load)) = dynamics.driven().filter(|_| dynamics.frictions.len() == MOST) else {
-            return false;
-        };
-        let message =
-            format!("a joint too many rubs beside `{}`, which drives an input", load.name);
-        let reason = "its value and the friction of up to eight joints follow from each other";
-        self.diagnostics.error_because(at, message, reason);
-        true
-    }
-
-    fn friction(&mut self, written: &tree::FrictionStatement) -> Option<Friction> {
-        let (contact, name) = match &written.site {
-            FrictionSite::Slider(link) => (self.slider(link)?, link.to_string()),
-            FrictionSite::Pin(pin) => (self.only_pair(pin)?, pin.to_string()),
-            FrictionSite::LinkAtPin(link, pin) => {
-                (self.link_on_pin(link, pin)?, format!("{link}.{pin}"))
-            }
-            FrictionSite::Between(bodies, pin) => {
-                (self.pair_at(bodies, pin)?, format!("{}.{pin}", bodies[0]))
-            }
-        };
-        let what = "a coefficient of friction";
-        let value = self.acting(&written.coefficient, Dimension::NUMBER)?;
-        self.is_free_of_pull(&written.coefficient, &value)?;
-        let span = written.coefficient.span;
-        let name = format!("friction at {name}");
-        let coefficient = self.not_below_zero(value, span, what, name.clone())?;
-        let (radius, length, rate) = match contact {
-            Contact::Pin { .. } => {
-                self.has_no(&written.length, "a pin has a `radius` and no length")?;
-                let radius = self.radius(written)?;
-                let value = self.not_negative(
-                    radius,
-                    Dimension::LENGTH,
-                    "a radius",
-                    format!("{name}, radius"),
-                )?;
-                (Some(value), None, Dimension::NUMBER.times(Dimension::TIME, -1))
-            }
-            Contact::Guide(_) => {
-                let message = "what slides has no radius; leave it out";
-                self.has_no(&written.radius, message)?;
-                let length = match &written.length {
-                    Some(length) => Some(self.above_zero(length, Dimension::LENGTH, "a length")?),
-                    None => None,
-                };
-                (None, length, Dimension::LENGTH.times(Dimension::TIME, -1))
-            }
-        };
-        let smooth = match &written.smooth {
-            Some(smooth) => Some(self.above_zero(smooth, rate, "a rate to smooth by")?),
-            None => None,
-        };
-        self.rubs(contact, written.at)?;
-        Some(Friction { contact, coefficient, radius, length, smooth })
-    }
-
-    fn radius<'t>(&mut self, written: &'t tree::FrictionStatement) -> Option<&'t tree::Expr> {
-        if written.radius.is_none() {
-            let message = "a pin's friction needs its radius: `… radius 8mm`";
-            let reason = "the couple is coefficient × radius × load; of what slides, write `friction 0.1 on \
-                          ram`";
-            self.diagnostics.error_because(written.at, message, reason);
-        }
-        written.radius.as_ref()
-    }
-
-    fn has_no(&mut self, part: &Option<tree::Expr>, message: &str) -> Option<()> {
-        let Some(part) = part else { return Some(()) };
-        let reason = "`length` is that of a block that touches its guide at both ends";
-        self.diagnostics.error_because(part.span, message, reason);
-        None
-    }
-
-    /// A number of the machine that is divided by.
-    fn above_zero(&mut self, expr: &tree::Expr, measure: Dimension, what: &str) -> Option<Length> {
-        let name = format!("friction, {what}");
-        let Magnitude { value, name } = self.not_negative(expr, measure, what, name)?;
-        if let Scalar::Constant(constant) = &value
-            && constant.is_zero()
-        {
-            let message = format!("{what} of {}; make it greater than zero", shown(constant));
-            self.diagnostics.error(expr.span, message);
-            return None;
-        }
-        Some(Length { value, name })
-    }
-
-    /// The two bodies move against each other.
-    fn rubs(&mut self, contact: Contact, at: Span) -> Option<()> {
-        let link = contact.link();
-        let group = self.mechanism.group_with(link)?;
-        let is_rigid = match &group.outer[0].drive {
-            Some(Drive::Angle { angle, relative_to }) => {
-                let mechanism = &self.mechanism;
-                let turns = !angle.links.is_empty() || mechanism.moves(&angle.rest);
-                let is_own =
-                    matches!(contact, Contact::Pin { against, .. } if against == *relative_to);
-                is_own && !turns
-            }
-            Some(Drive::Slide(slide)) => {
-                matches!(contact, Contact::Guide(_)) && !self.mechanism.moves(slide)
-            }
-            None => false,
-        };
-        if !is_rigid {
-            return Some(());
-        }
-        let name = self.mechanism.contact_name(contact);
-        let message = format!("nothing moves at `{name}`, and nothing rubs");
-        self.diagnostics.error(at, message);
-        None
-    }
-
-    /// `on ram`
-    fn slider(&mut self, name: &Ident) -> Option<Contact> {
-        if self.names.kind(name) == Some(Kind::Point) {
-            let message = format!("`{name}` is a point: write `at {name}`");
-            let reason = "a pin's friction is `friction 0.1 at C radius 8mm`";
-            self.diagnostics.error_because(name.span(), message, reason);
-            return None;
-        }
-        let link = self.link(name)?;
-        if self.mechanism.links[link.index()].slides {
-            return Some(Contact::Guide(link));
-        }
-        let message = format!("`{name}` does not slide");
-        let reason =
-            format!("at one of its pins friction is `friction 0.1 on {name} at P radius 8mm`");
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
-    }
-
-    /// The links that meet at a pin: those that stand there, and those that are joined by it.
-    fn at_pin(&self, pin: PointId) -> (Vec<LinkId>, Vec<LinkId>) {
-        let standing = self.mechanism.standing().into_iter();
-        let standing = standing.filter(|(point, _)| *point == pin).map(|(_, link)| link).collect();
-        let mut groups = self.mechanism.group_steps();
-        let joined = groups.find(|group| group.pin == Some(pin) && group.links.len() == 2);
-        (standing, joined.map_or(Vec::new(), |group| group.links.clone()))
-    }
-
-    /// The body that has the point, if one has: a link that stands there turns against it.
-    fn base(&self, pin: PointId) -> Option<Carrier> {
-        match self.mechanism.owner(pin)? {
-            Body::Ground => Some(Carrier::Ground),
-            Body::Link(link) => Some(Carrier::Link(link)),
-            Body::Pin(_) => {
-                let part = self.mechanism.points[pin.index()].part_of;
-                matches!(part, PartOf::Driven(_)).then_some(Carrier::Ground)
-            }
-        }
-    }
-
-    /// `at C`: two bodies that meet there, and no load on the pin itself.
-    fn only_pair(&mut self, name: &Ident) -> Option<Contact> {
-        let pin = self.point(name)?;
-        let (standing, joined) = self.at_pin(pin);
-        match (&standing[..], &joined[..], self.base(pin)) {
-            (&[link], [], Some(against)) => return Some(Contact::Pin { link, pin, against }),
-            (&[], &[link, other], _) if !self.is_loaded(pin) => {
-                return Some(Contact::Pin { link, pin, against: Carrier::Link(other) });
-            }
-            _ => {}
-        }
-        let links: Vec<_> = joined.iter().chain(&standing).collect();
-        let names: Vec<_> = links.iter().map(|link| self.named_link(**link)).collect();
-        let (message, reason) = match (&names[..], joined.len()) {
-            ([], _) => (
-                format!("no link turns at `{name}`"),
-                "a pin's friction stands at a joint, and a slide's is `friction 0.1 on ram`"
-                    .to_string(),
-            ),
-            ([first, ..], 2) if standing.is_empty() => (
-                format!("something is put on `{name}` itself: say which link turns on it"),
-                format!("as in {}", of_link(first, name)),
-            ),
-            ([first, ..], _) => (
-                format!("several links meet at `{name}`: say which turns"),
-                format!("as in {}; there meet {}", of_link(first, name), quoted_list(&names)),
-            ),
-        };
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
-    }
-
-    /// `on BC at C`
-    fn link_on_pin(&mut self, name: &Ident, pin_name: &Ident) -> Option<Contact> {
-        let (link, pin) = (self.link(name)?, self.point(pin_name)?);
-        let (standing, joined) = self.at_pin(pin);
-        if let Some(place) = joined.iter().position(|own| *own == link) {
-            return Some(Contact::Pin { link, pin, against: Carrier::Link(joined[1 - place]) });
-        }
-        if standing.contains(&link) {
-            if let Some(against) = self.base(pin) {
-                return Some(Contact::Pin { link, pin, against });
-            }
-            let others: Vec<_> = joined.iter().map(|other| self.named_link(*other)).collect();
-            let message = format!("say against which link `{name}` turns at `{pin_name}`");
-            let reason = format!(
-                "`friction 0.1 between {name} and {} at {pin_name} radius 8mm`; `{pin_name}` joins {}",
-                others[0],
-                quoted_list(&others)
-            );
-            self.diagnostics.error_because(name.span(), message, reason);
-            return None;
-        }
-        if let (Some(Body::Link(owner)), &[only]) = (self.mechanism.owner(pin), &standing[..])
-            && owner == link
-        {
-            return Some(Contact::Pin { link: only, pin, against: Carrier::Link(link) });
-        }
-        let message = format!("`{name}` does not turn at `{pin_name}`");
-        let links: Vec<_> =
-            standing.iter().chain(&joined).map(|link| self.named_link(*link)).collect();
-        let reason = match links.is_empty() {
-            true => format!("no link turns at `{pin_name}`"),
-            false => format!("there turn {}", quoted_list(&links)),
-        };
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
-    }
-
-    /// `between BC and EF at C`: the one that stands on the pin presses with its own force.
-    fn pair_at(&mut self, names: &[Ident; 2], pin_name: &Ident) -> Option<Contact> {
-        let bodies = self.two_bodies(names, "friction is")?;
-        let pin = self.point(pin_name)?;
-        let (standing, joined) = self.at_pin(pin);
-        let owner = match self.mechanism.owner(pin)? {
-            Body::Ground => vec![Carrier::Ground],
-            Body::Link(link) => vec![Carrier::Link(link)],
-            Body::Pin(_) => joined.iter().map(|link| Carrier::Link(*link)).collect(),
-        };
-        let stands = |body: Carrier| match body {
-            Carrier::Link(link) => standing.contains(&link).then_some(link),
-            Carrier::Ground => None,
-        };
-        let found = [(bodies[0], bodies[1]), (bodies[1], bodies[0])].into_iter().find_map(
-            |(one, against)| {
-                let link = match one {
-                    Carrier::Link(link) if joined.contains(&link) && owner.contains(&against) => {
-                        link
-                    }
-                    one => stands(one).filter(|_| owner.contains(&against))?,
-                };
-                Some(Contact::Pin { link, pin, against })
-            },
-        );
-        if found.is_none() {
+        let known = &scope.mechanism.dynamics.frictions;
+        if known.iter().any(|known| known.contact.is_at(friction.contact)) {
             let message = format!(
-                "`{}` and `{}` do not turn on each other at `{pin_name}`",
-                names[0], names[1]
+                "the friction of `{}` is given twice; remove one",
+                scope.mechanism.contact_name(friction.contact)
             );
-            let reason = "friction is between a link that stands on the pin and one that has it";
-            self.diagnostics.error_because(pin_name.span(), message, reason);
+            scope.diagnostics.error(written.at, message);
+            continue;
         }
-        found
+        scope.mechanism.dynamics.frictions.push(friction);
     }
+}
 
-    /// True if a mass or a force is on the pin between two links.
-    fn is_loaded(&self, pin: PointId) -> bool {
-        self.mechanism.dynamics.loads_point(pin)
-    }
+/// Beside a load that drives all amounts follow from each other, and the code for them grows with their cube.
+fn too_many_rub(scope: &mut Scope<'_>, at: Span) -> bool {
+    let dynamics = &scope.mechanism.dynamics;
+    let Some((_, load)) = dynamics.driven().filter(|_| dynamics.frictions.len() == MOST) else {
+        return false;
+    };
+    let message = format!("a joint too many rubs beside `{}`, which drives an input", load.name);
+    let reason = "its value and the friction of up to eight joints follow from each other";
+    scope.diagnostics.error_because(at, message, reason);
+    true
+}
 
-    fn named_link(&self, link: LinkId) -> Ident {
-        self.mechanism.links[link.index()].name.clone()
+fn friction(scope: &mut Scope<'_>, written: &tree::FrictionStatement) -> Option<Friction> {
+    let (contact, name) = match &written.site {
+        FrictionSite::Slider(link) => (slider(scope, link)?, link.to_string()),
+        FrictionSite::Pin(pin) => (only_pair(scope, pin)?, pin.to_string()),
+        FrictionSite::LinkAtPin(link, pin) => {
+            (link_on_pin(scope, link, pin)?, format!("{link}.{pin}"))
+        }
+        FrictionSite::Between(bodies, pin) => {
+            (pair_at(scope, bodies, pin)?, format!("{}.{pin}", bodies[0]))
+        }
+    };
+    let what = "a coefficient of friction";
+    let value = actions::acting(scope, &written.coefficient, Dimension::NUMBER)?;
+    driving_load::is_free_of_pull(scope, &written.coefficient, &value)?;
+    let span = written.coefficient.span;
+    let name = format!("friction at {name}");
+    let coefficient = masses::not_below_zero(scope, value, span, what, name.clone())?;
+    let (radius, length, rate) = match contact {
+        Contact::Pin { .. } => {
+            has_no(scope, &written.length, "a pin has a `radius` and no length")?;
+            let radius = radius(scope, written)?;
+            let value = masses::not_negative(
+                scope,
+                radius,
+                Dimension::LENGTH,
+                "a radius",
+                format!("{name}, radius"),
+            )?;
+            (Some(value), None, Dimension::NUMBER.times(Dimension::TIME, -1))
+        }
+        Contact::Guide(_) => {
+            let message = "what slides has no radius; leave it out";
+            has_no(scope, &written.radius, message)?;
+            let length = match &written.length {
+                Some(length) => Some(above_zero(scope, length, Dimension::LENGTH, "a length")?),
+                None => None,
+            };
+            (None, length, Dimension::LENGTH.times(Dimension::TIME, -1))
+        }
+    };
+    let smooth = match &written.smooth {
+        Some(smooth) => Some(above_zero(scope, smooth, rate, "a rate to smooth by")?),
+        None => None,
+    };
+    rubs(scope, contact, written.at)?;
+    Some(Friction { contact, coefficient, radius, length, smooth })
+}
+
+fn radius<'t>(
+    scope: &mut Scope<'_>,
+    written: &'t tree::FrictionStatement,
+) -> Option<&'t tree::Expr> {
+    if written.radius.is_none() {
+        let message = "a pin's friction needs its radius: `… radius 8mm`";
+        let reason = "the couple is coefficient × radius × load; of what slides, write `friction 0.1 on \
+                      ram`";
+        scope.diagnostics.error_because(written.at, message, reason);
     }
+    written.radius.as_ref()
+}
+
+fn has_no(scope: &mut Scope<'_>, part: &Option<tree::Expr>, message: &str) -> Option<()> {
+    let Some(part) = part else { return Some(()) };
+    let reason = "`length` is that of a block that touches its guide at both ends";
+    scope.diagnostics.error_because(part.span, message, reason);
+    None
+}
+
+/// A number of the machine that is divided by.
+fn above_zero(
+    scope: &mut Scope<'_>,
+    expr: &tree::Expr,
+    measure: Dimension,
+    what: &str,
+) -> Option<Length> {
+    let name = format!("friction, {what}");
+    let Magnitude { value, name } = masses::not_negative(scope, expr, measure, what, name)?;
+    if let Scalar::Constant(constant) = &value
+        && constant.is_zero()
+    {
+        let message = format!("{what} of {}; make it greater than zero", shown(constant));
+        scope.diagnostics.error(expr.span, message);
+        return None;
+    }
+    Some(Length { value, name })
+}
+
+/// The two bodies move against each other.
+fn rubs(scope: &mut Scope<'_>, contact: Contact, at: Span) -> Option<()> {
+    let link = contact.link();
+    let group = scope.mechanism.group_with(link)?;
+    let is_rigid = match &group.outer[0].drive {
+        Some(Drive::Angle { angle, relative_to }) => {
+            let mechanism = &scope.mechanism;
+            let turns = !angle.links.is_empty() || mechanism.moves(&angle.rest);
+            let is_own = matches!(contact, Contact::Pin { against, .. } if against == *relative_to);
+            is_own && !turns
+        }
+        Some(Drive::Slide(slide)) => {
+            matches!(contact, Contact::Guide(_)) && !scope.mechanism.moves(slide)
+        }
+        None => false,
+    };
+    if !is_rigid {
+        return Some(());
+    }
+    let name = scope.mechanism.contact_name(contact);
+    let message = format!("nothing moves at `{name}`, and nothing rubs");
+    scope.diagnostics.error(at, message);
+    None
+}
+
+/// `on ram`
+fn slider(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
+    if scope.names.kind(name) == Some(Kind::Point) {
+        let message = format!("`{name}` is a point: write `at {name}`");
+        let reason = "a pin's friction is `friction 0.1 at C radius 8mm`";
+        scope.diagnostics.error_because(name.span(), message, reason);
+        return None;
+    }
+    let link = uses::link(scope, name)?;
+    if scope.mechanism.links[link.index()].slides {
+        return Some(Contact::Guide(link));
+    }
+    let message = format!("`{name}` does not slide");
+    let reason = format!("at one of its pins friction is `friction 0.1 on {name} at P radius 8mm`");
+    scope.diagnostics.error_because(name.span(), message, reason);
+    None
+}
+
+/// The links that meet at a pin: those that stand there, and those that are joined by it.
+fn at_pin(scope: &Scope<'_>, pin: PointId) -> (Vec<LinkId>, Vec<LinkId>) {
+    let standing = scope.mechanism.standing().into_iter();
+    let standing = standing.filter(|(point, _)| *point == pin).map(|(_, link)| link).collect();
+    let mut groups = scope.mechanism.group_steps();
+    let joined = groups.find(|group| group.pin == Some(pin) && group.links.len() == 2);
+    (standing, joined.map_or(Vec::new(), |group| group.links.clone()))
+}
+
+/// The body that has the point, if one has: a link that stands there turns against it.
+fn base(scope: &Scope<'_>, pin: PointId) -> Option<Carrier> {
+    match scope.mechanism.owner(pin)? {
+        Body::Ground => Some(Carrier::Ground),
+        Body::Link(link) => Some(Carrier::Link(link)),
+        Body::Pin(_) => {
+            let part = scope.mechanism.points[pin.index()].part_of;
+            matches!(part, PartOf::Driven(_)).then_some(Carrier::Ground)
+        }
+    }
+}
+
+/// `at C`: two bodies that meet there, and no load on the pin itself.
+fn only_pair(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
+    let pin = uses::point(scope, name)?;
+    let (standing, joined) = at_pin(scope, pin);
+    match (&standing[..], &joined[..], base(scope, pin)) {
+        (&[link], [], Some(against)) => return Some(Contact::Pin { link, pin, against }),
+        (&[], &[link, other], _) if !is_loaded(scope, pin) => {
+            return Some(Contact::Pin { link, pin, against: Carrier::Link(other) });
+        }
+        _ => {}
+    }
+    let links: Vec<_> = joined.iter().chain(&standing).collect();
+    let names: Vec<_> = links.iter().map(|link| named_link(scope, **link)).collect();
+    let (message, reason) = match (&names[..], joined.len()) {
+        ([], _) => (
+            format!("no link turns at `{name}`"),
+            "a pin's friction stands at a joint, and a slide's is `friction 0.1 on ram`"
+                .to_string(),
+        ),
+        ([first, ..], 2) if standing.is_empty() => (
+            format!("something is put on `{name}` itself: say which link turns on it"),
+            format!("as in {}", of_link(first, name)),
+        ),
+        ([first, ..], _) => (
+            format!("several links meet at `{name}`: say which turns"),
+            format!("as in {}; there meet {}", of_link(first, name), quoted_list(&names)),
+        ),
+    };
+    scope.diagnostics.error_because(name.span(), message, reason);
+    None
+}
+
+/// `on BC at C`
+fn link_on_pin(scope: &mut Scope<'_>, name: &Ident, pin_name: &Ident) -> Option<Contact> {
+    let (link, pin) = (uses::link(scope, name)?, uses::point(scope, pin_name)?);
+    let (standing, joined) = at_pin(scope, pin);
+    if let Some(place) = joined.iter().position(|own| *own == link) {
+        return Some(Contact::Pin { link, pin, against: Carrier::Link(joined[1 - place]) });
+    }
+    if standing.contains(&link) {
+        if let Some(against) = base(scope, pin) {
+            return Some(Contact::Pin { link, pin, against });
+        }
+        let others: Vec<_> = joined.iter().map(|other| named_link(scope, *other)).collect();
+        let message = format!("say against which link `{name}` turns at `{pin_name}`");
+        let reason = format!(
+            "`friction 0.1 between {name} and {} at {pin_name} radius 8mm`; `{pin_name}` joins {}",
+            others[0],
+            quoted_list(&others)
+        );
+        scope.diagnostics.error_because(name.span(), message, reason);
+        return None;
+    }
+    if let (Some(Body::Link(owner)), &[only]) = (scope.mechanism.owner(pin), &standing[..])
+        && owner == link
+    {
+        return Some(Contact::Pin { link: only, pin, against: Carrier::Link(link) });
+    }
+    let message = format!("`{name}` does not turn at `{pin_name}`");
+    let links: Vec<_> =
+        standing.iter().chain(&joined).map(|link| named_link(scope, *link)).collect();
+    let reason = match links.is_empty() {
+        true => format!("no link turns at `{pin_name}`"),
+        false => format!("there turn {}", quoted_list(&links)),
+    };
+    scope.diagnostics.error_because(name.span(), message, reason);
+    None
+}
+
+/// `between BC and EF at C`: the one that stands on the pin presses with its own force.
+fn pair_at(scope: &mut Scope<'_>, names: &[Ident; 2], pin_name: &Ident) -> Option<Contact> {
+    let bodies = actions::two_bodies(scope, names, "friction is")?;
+    let pin = uses::point(scope, pin_name)?;
+    let (standing, joined) = at_pin(scope, pin);
+    let owner = match scope.mechanism.owner(pin)? {
+        Body::Ground => vec![Carrier::Ground],
+        Body::Link(link) => vec![Carrier::Link(link)],
+        Body::Pin(_) => joined.iter().map(|link| Carrier::Link(*link)).collect(),
+    };
+    let stands = |body: Carrier| match body {
+        Carrier::Link(link) => standing.contains(&link).then_some(link),
+        Carrier::Ground => None,
+    };
+    let found =
+        [(bodies[0], bodies[1]), (bodies[1], bodies[0])].into_iter().find_map(|(one, against)| {
+            let link = match one {
+                Carrier::Link(link) if joined.contains(&link) && owner.contains(&against) => link,
+                one => stands(one).filter(|_| owner.contains(&against))?,
+            };
+            Some(Contact::Pin { link, pin, against })
+        });
+    if found.is_none() {
+        let message =
+            format!("`{}` and `{}` do not turn on each other at `{pin_name}`", names[0], names[1]);
+        let reason = "friction is between a link that stands on the pin and one that has it";
+        scope.diagnostics.error_because(pin_name.span(), message, reason);
+    }
+    found
+}
+
+/// True if a mass or a force is on the pin between two links.
+fn is_loaded(scope: &Scope<'_>, pin: PointId) -> bool {
+    scope.mechanism.dynamics.loads_point(pin)
+}
+
+fn named_link(scope: &Scope<'_>, link: LinkId) -> Ident {
+    scope.mechanism.links[link.index()].name.clone()
 }
 
 fn quoted_list(names: &[Ident]) -> String {

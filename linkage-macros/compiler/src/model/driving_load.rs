@@ -5,7 +5,6 @@ use proc_macro2::Ident;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
 
-use super::Resolver;
 use super::acting::{Dynamics, Effort, Load};
 use super::dimension::Measure;
 use super::expressions::{Allowed, ResolvedExpr};
@@ -15,6 +14,8 @@ use super::mechanism::{
     Drive, Group, GuideDirection, Mechanism, Operator, Placement, Scalar, Slideway, Step, Through,
 };
 use super::names::{Entity, Kind};
+use super::scope::Scope;
+use super::{actions, dynamics_outputs, numbers, uses};
 
 /// The load behind the first `by`.
 pub(super) fn named_by(tree: &Declaration) -> Option<&Ident> {
@@ -122,138 +123,149 @@ impl Group {
     }
 }
 
-impl Resolver<'_> {
-    pub(super) fn drive_by(&mut self, input: &Ident, load: &Ident) {
-        let (driven, by) = (self.usable(input, &[Kind::Input]), self.usable(load, &[Kind::Load]));
-        let is_first = self.driving.as_deref() == Some(&load.to_string())
-            && self.mechanism.dynamics.pulled.is_none();
-        if !is_first {
-            let message = "one load drives one input; remove this statement";
-            let reason = "the values of several loads would follow from each other";
-            return self.diagnostics.error_because(input.span(), message, reason);
+pub(super) fn drive_by(scope: &mut Scope<'_>, input: &Ident, load: &Ident) {
+    let (driven, by) =
+        (uses::usable(scope, input, &[Kind::Input]), uses::usable(scope, load, &[Kind::Load]));
+    let is_first = scope.facts.driving.as_deref() == Some(&load.to_string())
+        && scope.mechanism.dynamics.pulled.is_none();
+    if !is_first {
+        let message = "one load drives one input; remove this statement";
+        let reason = "the values of several loads would follow from each other";
+        return scope.diagnostics.error_because(input.span(), message, reason);
+    }
+    if let (Some(Entity::Input(id)), Some(Entity::Pull)) = (driven, by) {
+        scope.mechanism.dynamics.pulled = Some(id);
+    }
+}
+
+/// The value of a load in forces, torques and outputs.
+pub(super) fn value_of_load(
+    scope: &mut Scope<'_>,
+    name: &Ident,
+    allowed: Allowed,
+) -> Option<ResolvedExpr> {
+    actions::load_stands_in_a_force(scope, name, allowed)?;
+    let entity = uses::usable(scope, name, &[Kind::Load])?;
+    let dynamics = &scope.mechanism.dynamics;
+    let (load, value) = match entity {
+        Entity::Load(id) => (&dynamics.loads[id.index()], Scalar::Load(id)),
+        Entity::Pull => (dynamics.pull.as_ref()?, Scalar::Pull),
+        _ => return None,
+    };
+    let reads = Reads { load: true, ..Reads::default() };
+    let measure = Measure::Known(load.dimension);
+    Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, value) })
+}
+
+/// The power to which a number contains the load that drives an input.
+pub(super) fn degree(scope: &Scope<'_>, expr: &Scalar) -> Degree {
+    let within = |inner: Degree| if inner == Degree::Free { inner } else { Degree::Other };
+    match expr {
+        Scalar::Pull => Degree::Linear,
+        Scalar::Law(id) => scope.facts.laws[id.index()].pull,
+        Scalar::Negate(value) => degree(scope, value),
+        Scalar::AboveZero(inner) => within(degree(scope, &inner.value)),
+        Scalar::Call(_, arguments) => {
+            let degrees = arguments.iter().map(|argument| degree(scope, argument));
+            within(degrees.max().unwrap_or(Degree::Free))
         }
-        if let (Some(Entity::Input(id)), Some(Entity::Pull)) = (driven, by) {
-            self.mechanism.dynamics.pulled = Some(id);
+        Scalar::Chain(first, rest) => {
+            rest.iter().fold(degree(scope, first), |left, (operator, operand)| {
+                match (operator, left, degree(scope, operand)) {
+                    (Operator::Add | Operator::Sub, left, right) => left.max(right),
+                    (_, left, Degree::Free) => left,
+                    (Operator::Mul, Degree::Free, right) => right,
+                    _ => Degree::Other,
+                }
+            })
         }
+        _ => Degree::Free,
     }
+}
 
-    /// The value of a load in forces, torques and outputs.
-    pub(super) fn value_of_load(&mut self, name: &Ident, allowed: Allowed) -> Option<ResolvedExpr> {
-        self.load_stands_in_a_force(name, allowed)?;
-        let entity = self.usable(name, &[Kind::Load])?;
-        let dynamics = &self.mechanism.dynamics;
-        let (load, value) = match entity {
-            Entity::Load(id) => (&dynamics.loads[id.index()], Scalar::Load(id)),
-            Entity::Pull => (dynamics.pull.as_ref()?, Scalar::Pull),
-            _ => return None,
-        };
-        let reads = Reads { load: true, ..Reads::default() };
-        let measure = Measure::Known(load.dimension);
-        Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, value) })
+/// A force is a multiple of the load that drives an input, and what is free of it.
+pub(super) fn is_linear_in_pull(
+    scope: &mut Scope<'_>,
+    expr: &tree::Expr,
+    value: &Scalar,
+) -> Option<()> {
+    if degree(scope, value) != Degree::Other {
+        return Some(());
     }
+    let load = scope.facts.driving.as_deref().unwrap_or_default();
+    let message = format!("a force is a multiple of `{load}`, which drives an input");
+    let reason = format!(
+        "the value of `{load}` follows from one linear equation: write `2 * {load}` or \
+         `5N - {load} * cos(theta)`, and no function of it"
+    );
+    pull_is_refused(scope, expr, message, reason)
+}
 
-    /// The power to which a number contains the load that drives an input.
-    pub(super) fn degree(&self, expr: &Scalar) -> Degree {
-        let within = |inner: Degree| if inner == Degree::Free { inner } else { Degree::Other };
-        match expr {
-            Scalar::Pull => Degree::Linear,
-            Scalar::Law(id) => self.facts.laws[id.index()].pull,
-            Scalar::Negate(value) => self.degree(value),
-            Scalar::AboveZero(inner) => within(self.degree(&inner.value)),
-            Scalar::Call(_, arguments) => {
-                let degrees = arguments.iter().map(|argument| self.degree(argument));
-                within(degrees.max().unwrap_or(Degree::Free))
-            }
-            Scalar::Chain(first, rest) => {
-                rest.iter().fold(self.degree(first), |left, (operator, operand)| {
-                    match (operator, left, self.degree(operand)) {
-                        (Operator::Add | Operator::Sub, left, right) => left.max(right),
-                        (_, left, Degree::Free) => left,
-                        (Operator::Mul, Degree::Free, right) => right,
-                        _ => Degree::Other,
-                    }
-                })
-            }
-            _ => Degree::Free,
+/// A share of what presses a joint is no share of what follows from it.
+pub(super) fn is_free_of_pull(
+    scope: &mut Scope<'_>,
+    expr: &tree::Expr,
+    value: &Scalar,
+) -> Option<()> {
+    if degree(scope, value) == Degree::Free {
+        return Some(());
+    }
+    let load = scope.facts.driving.as_deref().unwrap_or_default();
+    let message = format!("no coefficient depends on `{load}`, which drives an input");
+    let reason = format!("`{load}` follows from friction, and its equation is linear");
+    pull_is_refused(scope, expr, message, reason)
+}
+
+/// Reports the first part of an expression that holds the load that drives an input.
+fn pull_is_refused(
+    scope: &mut Scope<'_>,
+    expr: &tree::Expr,
+    message: String,
+    reason: String,
+) -> Option<()> {
+    let holds_pull = |scope: &Scope<'_>, part: &tree::Expr| {
+        let ExprKind::Name(name) = &part.kind else { return false };
+        match scope.names.entity(name) {
+            Some(Entity::Pull) => true,
+            Some(Entity::Law(id)) => scope.facts.laws[id.index()].pull != Degree::Free,
+            _ => false,
         }
-    }
+    };
+    let at = numbers::first(scope, expr, &holds_pull).unwrap_or(expr.span);
+    scope.diagnostics.error_because(at, message, reason);
+    None
+}
 
-    /// A force is a multiple of the load that drives an input, and what is free of it.
-    pub(super) fn is_linear_in_pull(&mut self, expr: &tree::Expr, value: &Scalar) -> Option<()> {
-        if self.degree(value) != Degree::Other {
-            return Some(());
-        }
-        let load = self.driving.as_deref().unwrap_or_default();
-        let message = format!("a force is a multiple of `{load}`, which drives an input");
-        let reason = format!(
-            "the value of `{load}` follows from one linear equation: write `2 * {load}` or \
-             `5N - {load} * cos(theta)`, and no function of it"
-        );
-        self.pull_is_refused(expr, message, reason)
+/// The effort of an input is put in by no load.
+pub(super) fn has_a_drive(scope: &mut Scope<'_>, owner: &Ident, id: InputId) -> Option<()> {
+    let Some((driven, load)) = scope.mechanism.dynamics.driven() else { return Some(()) };
+    if driven != id {
+        return Some(());
     }
+    let message = format!("`{owner}` is driven by `{0}`; ask for `{0}`", load.name);
+    let reason = "a drive of its own would put in nothing";
+    scope.diagnostics.error_because(owner.span(), message, reason);
+    None
+}
 
-    /// A share of what presses a joint is no share of what follows from it.
-    pub(super) fn is_free_of_pull(&mut self, expr: &tree::Expr, value: &Scalar) -> Option<()> {
-        if self.degree(value) == Degree::Free {
-            return Some(());
-        }
-        let load = self.driving.as_deref().unwrap_or_default();
-        let message = format!("no coefficient depends on `{load}`, which drives an input");
-        let reason = format!("`{load}` follows from friction, and its equation is linear");
-        self.pull_is_refused(expr, message, reason)
-    }
+/// The drive of a link is put in by no load.
+pub(super) fn link_has_a_drive(scope: &mut Scope<'_>, owner: &Ident, link: LinkId) -> Option<()> {
+    let Some((input, load)) = scope.mechanism.driven_through(link) else { return Some(()) };
+    let input = &scope.mechanism.inputs[input.index()].name;
+    let message =
+        format!("`{load}` drives `{owner}` by `{input}`; ask for `{load}`", load = load.name);
+    let reason = "a drive of its own would put in nothing";
+    scope.diagnostics.error_because(owner.span(), message, reason);
+    None
+}
 
-    /// Reports the first part of an expression that holds the load that drives an input.
-    fn pull_is_refused(
-        &mut self,
-        expr: &tree::Expr,
-        message: String,
-        reason: String,
-    ) -> Option<()> {
-        let holds_pull = |resolver: &Self, part: &tree::Expr| {
-            let ExprKind::Name(name) = &part.kind else { return false };
-            match resolver.names.entity(name) {
-                Some(Entity::Pull) => true,
-                Some(Entity::Law(id)) => resolver.facts.laws[id.index()].pull != Degree::Free,
-                _ => false,
-            }
-        };
-        let at = self.first(expr, &holds_pull).unwrap_or(expr.span);
-        self.diagnostics.error_because(at, message, reason);
-        None
+/// Returns true if the output is the load that drives an input.
+pub(super) fn pull_output(scope: &mut Scope<'_>, docs: &[syn::Attribute], name: &Ident) -> bool {
+    let is_pull = scope.names.entity(name) == Some(Entity::Pull);
+    if is_pull {
+        let own = scope.mechanism.dynamics.pull.iter().flat_map(|load| &load.docs);
+        let docs: Vec<_> = docs.iter().chain(own).cloned().collect();
+        dynamics_outputs::ask(scope, &docs, name, name, Effort::Pull);
     }
-
-    /// The effort of an input is put in by no load.
-    pub(super) fn has_a_drive(&mut self, owner: &Ident, id: InputId) -> Option<()> {
-        let Some((driven, load)) = self.mechanism.dynamics.driven() else { return Some(()) };
-        if driven != id {
-            return Some(());
-        }
-        let message = format!("`{owner}` is driven by `{0}`; ask for `{0}`", load.name);
-        let reason = "a drive of its own would put in nothing";
-        self.diagnostics.error_because(owner.span(), message, reason);
-        None
-    }
-
-    /// The drive of a link is put in by no load.
-    pub(super) fn link_has_a_drive(&mut self, owner: &Ident, link: LinkId) -> Option<()> {
-        let Some((input, load)) = self.mechanism.driven_through(link) else { return Some(()) };
-        let input = &self.mechanism.inputs[input.index()].name;
-        let message =
-            format!("`{load}` drives `{owner}` by `{input}`; ask for `{load}`", load = load.name);
-        let reason = "a drive of its own would put in nothing";
-        self.diagnostics.error_because(owner.span(), message, reason);
-        None
-    }
-
-    /// Returns true if the output is the load that drives an input.
-    pub(super) fn pull_output(&mut self, docs: &[syn::Attribute], name: &Ident) -> bool {
-        let is_pull = self.names.entity(name) == Some(Entity::Pull);
-        if is_pull {
-            let own = self.mechanism.dynamics.pull.iter().flat_map(|load| &load.docs);
-            let docs: Vec<_> = docs.iter().chain(own).cloned().collect();
-            self.ask(&docs, name, name, Effort::Pull);
-        }
-        is_pull
-    }
+    is_pull
 }

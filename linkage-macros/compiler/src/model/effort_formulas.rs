@@ -6,14 +6,16 @@ use syn::Attribute;
 
 use crate::syntax::tree;
 
-use super::Resolver;
 use super::acting::{Contact, Effort, Ends, Formula, RequestedEffort};
 use super::dimension::Measure;
 use super::expressions::ResolvedExpr;
 use super::facts::Reads;
 use super::ids::FormulaId;
+use super::link_efforts;
 use super::mechanism::{Carrier, Dimension, LinkId, Scalar};
 use super::names::{Kind, listed};
+use super::scope::Scope;
+use super::{dynamics_outputs, numbers, spring_damper, unknowns, uses};
 
 /// A power: what friction takes.
 const POWER: Dimension = Dimension { time: -3, ..Dimension::TORQUE };
@@ -26,109 +28,109 @@ fn conjugate(dimension: Dimension) -> Dimension {
     }
 }
 
-impl Resolver<'_> {
-    /// A number of efforts, rates and loads as an output.
-    pub(super) fn give_formula(
-        &mut self,
-        (name, docs): (&Ident, &[Attribute]),
-        value: &tree::Expr,
-        quantity: ResolvedExpr,
-    ) {
-        if self.no_link_angle(value, &quantity).is_none() {
-            return;
-        }
-        let dynamics = &self.mechanism.dynamics;
-        if dynamics.is_empty() && !self.a_force_may_be_unread() {
-            let message = format!(
-                "nothing has mass and nothing acts, so there are no forces beside `{name}`"
-            );
-            let reason = "an output of rates and loads stands in the result of `forces`; of rates \
-                          alone, `velocity` gives those of every output";
-            return self.diagnostics.error_because(name.span(), message, reason);
-        }
-        let is_known = self.mechanism.outputs.iter().any(|output| output.field == *name)
-            || dynamics.asked.iter().any(|asked| asked.is_formula(name));
-        if is_known {
-            return self.output_is_given_twice(name.span(), &name.to_string());
-        }
-        let dynamics = &mut self.mechanism.dynamics;
-        let effort = Effort::Formula(FormulaId(dynamics.formulas.len() as u32));
-        let dimension = quantity.measure.dimension();
-        let reads = quantity.reads.efforts;
-        dynamics.formulas.push(Formula { value: quantity.rest, dimension, reads });
-        let (owner, field) = (name.clone(), name.clone());
-        dynamics.asked.push(RequestedEffort { owner, field, docs: docs.to_vec(), effort });
+/// A number of efforts, rates and loads as an output.
+pub(super) fn give_formula(
+    scope: &mut Scope<'_>,
+    (name, docs): (&Ident, &[Attribute]),
+    value: &tree::Expr,
+    quantity: ResolvedExpr,
+) {
+    if numbers::no_link_angle(scope, value, &quantity).is_none() {
+        return;
     }
-
-    pub(super) fn output_is_given_twice(&mut self, at: Span, path: &str) {
-        self.diagnostics.error(at, format!("the output `{path}` is given twice; remove one"));
-    }
-
-    /// `theta.drive`, `shock.force`, `low.gap` in an output; `None` if it is about no force.
-    pub(super) fn effort_read(
-        &mut self,
-        owner: &Ident,
-        member: &Ident,
-    ) -> Option<Option<ResolvedExpr>> {
-        if let Some(Kind::Spring) = self.names.kind(owner) {
-            let effort = self.effort_of_spring(owner, member);
-            return Some(effort.and_then(|effort| self.reading(member, effort, 0)));
-        }
-        let whole =
-            (owner == "shaking").then(|| ["x", "y", "couple"].iter().position(|p| member == p));
-        if let Some(Some(part)) = whole {
-            return Some(self.reading(member, Effort::Shaking, part));
-        }
-        let effort = self.effort_named(owner, member)?;
-        Some(effort.and_then(|effort| self.whole_effort(owner, member, effort)))
-    }
-
-    /// `losses` in an output.
-    pub(super) fn losses_read(&mut self, name: &Ident) -> Option<ResolvedExpr> {
-        self.something_rubs(name)?;
-        self.reading(name, Effort::Losses, 0)
-    }
-
-    pub(super) fn something_rubs(&mut self, name: &Ident) -> Option<()> {
-        if !self.mechanism.dynamics.frictions.is_empty() || self.a_force_may_be_unread() {
-            return Some(());
-        }
-        let message = "nothing rubs, so there are no losses";
-        let reason = "as in `friction 0.1 at C radius 8mm`";
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
-    }
-
-    /// An effort of one number; of a reaction a part is read.
-    fn whole_effort(
-        &mut self,
-        owner: &Ident,
-        member: &Ident,
-        effort: Effort,
-    ) -> Option<ResolvedExpr> {
-        let (what, parts) = match effort {
-            Effort::Pin(..) | Effort::Bearing(..) => ("a force", ["x", "y"]),
-            Effort::Guide(_) => ("a normal force and a couple", ["normal", "couple"]),
-            effort => return self.reading(member, effort, 0),
-        };
-        let path = format!("{owner}.{member}");
+    let dynamics = &scope.mechanism.dynamics;
+    if dynamics.is_empty() && !dynamics_outputs::a_force_may_be_unread(scope) {
         let message =
-            format!("`{path}` is {what}; write `{path}.{}` or `{path}.{}`", parts[0], parts[1]);
-        let reason = match effort {
-            Effort::Guide(_) => "an expression is made of single numbers".to_string(),
-            _ => format!(
-                "an expression is made of single numbers; its size is `hypot({path}.x, {path}.y)`"
-            ),
-        };
-        self.diagnostics.error_because(member.span(), message, reason);
-        None
+            format!("nothing has mass and nothing acts, so there are no forces beside `{name}`");
+        let reason = "an output of rates and loads stands in the result of `forces`; of rates \
+                      alone, `velocity` gives those of every output";
+        return scope.diagnostics.error_because(name.span(), message, reason);
     }
+    let is_known = scope.mechanism.outputs.iter().any(|output| output.field == *name)
+        || dynamics.asked.iter().any(|asked| asked.is_formula(name));
+    if is_known {
+        return output_is_given_twice(scope, name.span(), &name.to_string());
+    }
+    let dynamics = &mut scope.mechanism.dynamics;
+    let effort = Effort::Formula(FormulaId(dynamics.formulas.len() as u32));
+    let dimension = quantity.measure.dimension();
+    let reads = quantity.reads.efforts;
+    dynamics.formulas.push(Formula { value: quantity.rest, dimension, reads });
+    let (owner, field) = (name.clone(), name.clone());
+    dynamics.asked.push(RequestedEffort { owner, field, docs: docs.to_vec(), effort });
+}
 
-    /// Reports `ram.friction`: friction is that of a joint.
-    pub(super) fn friction_is_at_a_joint(&mut self, owner: &Ident, member: &Ident) {
-        let Some(link) = self.link(owner) else { return };
-        let frictions = &self.mechanism.dynamics.frictions;
-        let joints = self.efforts_of(link).into_iter().filter(|(_, effort)| {
+pub(super) fn output_is_given_twice(scope: &mut Scope<'_>, at: Span, path: &str) {
+    scope.diagnostics.error(at, format!("the output `{path}` is given twice; remove one"));
+}
+
+/// `theta.drive`, `shock.force`, `low.gap` in an output; `None` if it is about no force.
+pub(super) fn effort_read(
+    scope: &mut Scope<'_>,
+    owner: &Ident,
+    member: &Ident,
+) -> Option<Option<ResolvedExpr>> {
+    if let Some(Kind::Spring) = scope.names.kind(owner) {
+        let effort = spring_damper::effort_of_spring(scope, owner, member);
+        return Some(effort.and_then(|effort| reading(scope, member, effort, 0)));
+    }
+    let whole = (owner == "shaking").then(|| ["x", "y", "couple"].iter().position(|p| member == p));
+    if let Some(Some(part)) = whole {
+        return Some(reading(scope, member, Effort::Shaking, part));
+    }
+    let effort = dynamics_outputs::effort_named(scope, owner, member)?;
+    Some(effort.and_then(|effort| whole_effort(scope, owner, member, effort)))
+}
+
+/// `losses` in an output.
+pub(super) fn losses_read(scope: &mut Scope<'_>, name: &Ident) -> Option<ResolvedExpr> {
+    something_rubs(scope, name)?;
+    reading(scope, name, Effort::Losses, 0)
+}
+
+pub(super) fn something_rubs(scope: &mut Scope<'_>, name: &Ident) -> Option<()> {
+    if !scope.mechanism.dynamics.frictions.is_empty()
+        || dynamics_outputs::a_force_may_be_unread(scope)
+    {
+        return Some(());
+    }
+    let message = "nothing rubs, so there are no losses";
+    let reason = "as in `friction 0.1 at C radius 8mm`";
+    scope.diagnostics.error_because(name.span(), message, reason);
+    None
+}
+
+/// An effort of one number; of a reaction a part is read.
+fn whole_effort(
+    scope: &mut Scope<'_>,
+    owner: &Ident,
+    member: &Ident,
+    effort: Effort,
+) -> Option<ResolvedExpr> {
+    let (what, parts) = match effort {
+        Effort::Pin(..) | Effort::Bearing(..) => ("a force", ["x", "y"]),
+        Effort::Guide(_) => ("a normal force and a couple", ["normal", "couple"]),
+        effort => return reading(scope, member, effort, 0),
+    };
+    let path = format!("{owner}.{member}");
+    let message =
+        format!("`{path}` is {what}; write `{path}.{}` or `{path}.{}`", parts[0], parts[1]);
+    let reason = match effort {
+        Effort::Guide(_) => "an expression is made of single numbers".to_string(),
+        _ => format!(
+            "an expression is made of single numbers; its size is `hypot({path}.x, {path}.y)`"
+        ),
+    };
+    scope.diagnostics.error_because(member.span(), message, reason);
+    None
+}
+
+/// Reports `ram.friction`: friction is that of a joint.
+pub(super) fn friction_is_at_a_joint(scope: &mut Scope<'_>, owner: &Ident, member: &Ident) {
+    let Some(link) = uses::link(scope, owner) else { return };
+    let frictions = &scope.mechanism.dynamics.frictions;
+    let joints =
+        link_efforts::efforts_of(&scope.mechanism, link).into_iter().filter(|(_, effort)| {
             frictions.iter().any(|friction| match *effort {
                 Effort::Guide(link) => friction.contact == Contact::Guide(link),
                 Effort::Pin(_, pin) | Effort::Bearing(_, pin) => {
@@ -137,129 +139,136 @@ impl Resolver<'_> {
                 _ => false,
             })
         });
-        let known: Vec<_> =
-            joints.map(|(joint, _)| format!("`{owner}.{joint}.friction`")).collect();
-        let (message, reason) = match &known[..] {
-            [] if self.a_force_may_be_unread() => return,
-            [] => (
-                format!("nothing rubs at a joint of `{owner}`"),
-                format!(
-                    "as in `friction 0.1 on {owner}` of what slides, `friction 0.1 on {owner} at C radius 8mm` of a pin"
-                ),
+    let known: Vec<_> = joints.map(|(joint, _)| format!("`{owner}.{joint}.friction`")).collect();
+    let (message, reason) = match &known[..] {
+        [] if dynamics_outputs::a_force_may_be_unread(scope) => return,
+        [] => (
+            format!("nothing rubs at a joint of `{owner}`"),
+            format!(
+                "as in `friction 0.1 on {owner}` of what slides, `friction 0.1 on {owner} at C radius 8mm` of a pin"
             ),
-            [only] => (format!("write {only}"), "friction is that of a joint".to_string()),
-            _ => (
-                format!("name the joint: {}", listed(&known, "or")),
-                "friction is that of a joint".to_string(),
-            ),
-        };
-        self.diagnostics.error_because(member.span(), message, reason);
-    }
+        ),
+        [only] => (format!("write {only}"), "friction is that of a joint".to_string()),
+        _ => (
+            format!("name the joint: {}", listed(&known, "or")),
+            "friction is that of a joint".to_string(),
+        ),
+    };
+    scope.diagnostics.error_because(member.span(), message, reason);
+}
 
-    /// `BC.C.x`, `ram.bed.normal`, `ram.bed.friction`
-    pub(super) fn part_read(&mut self, [owner, member, part]: &[Ident; 3]) -> Option<ResolvedExpr> {
-        if part == "friction" {
-            let effort = self.friction_named(owner, member, part)?;
-            return self.reading(part, effort, 0);
-        }
-        let link = self.link(owner)?;
-        let effort = self.joint_effort(owner, link, member)?;
-        let parts = match effort {
-            Effort::Guide(_) => ["normal", "couple"],
-            _ => ["x", "y"],
-        };
-        if let Some(index) = parts.iter().position(|known| part == known) {
-            return self.reading(part, effort, index);
-        }
-        let path = format!("{owner}.{member}");
-        let message = format!("`{path}` has no `{part}`");
-        let reason =
-            format!("it has `{}` and `{}`, and `friction` where it rubs", parts[0], parts[1]);
-        self.diagnostics.error_because(part.span(), message, reason);
-        None
+/// `BC.C.x`, `ram.bed.normal`, `ram.bed.friction`
+pub(super) fn part_read(
+    scope: &mut Scope<'_>,
+    [owner, member, part]: &[Ident; 3],
+) -> Option<ResolvedExpr> {
+    if part == "friction" {
+        let effort = friction_named(scope, owner, member, part)?;
+        return reading(scope, part, effort, 0);
     }
-
-    /// `output BC.C.friction`; any other part is a field of its reaction.
-    pub(super) fn part_output(&mut self, docs: &[Attribute], [owner, member, part]: &[Ident; 3]) {
-        if part == "friction" {
-            let Some(effort) = self.friction_named(owner, member, part) else { return };
-            let field = format_ident!("{member}_friction", span = member.span());
-            return self.ask(docs, owner, &field, effort);
-        }
-        let (message, reason) = match part.to_string().as_str() {
-            "x" | "y" => (
-                format!(
-                    "write `{member}.{part}` for the point, `{owner}.{member}` for the reaction"
-                ),
-                "a point is known by its own name, and the reaction's components are fields of the \
-                 result; under a name of your own a component is an output",
-            ),
-            _ => (
-                format!("write `{owner}.{member}`"),
-                "the reaction of a guide is one output; `normal` and `couple` are fields of the result",
-            ),
-        };
-        self.diagnostics.error_because(part.span(), message, reason);
+    let link = uses::link(scope, owner)?;
+    let effort = dynamics_outputs::joint_effort(scope, owner, link, member)?;
+    let parts = match effort {
+        Effort::Guide(_) => ["normal", "couple"],
+        _ => ["x", "y"],
+    };
+    if let Some(index) = parts.iter().position(|known| part == known) {
+        return reading(scope, part, effort, index);
     }
+    let path = format!("{owner}.{member}");
+    let message = format!("`{path}` has no `{part}`");
+    let reason = format!("it has `{}` and `{}`, and `friction` where it rubs", parts[0], parts[1]);
+    scope.diagnostics.error_because(part.span(), message, reason);
+    None
+}
 
-    /// The friction of a link at a joint.
-    fn friction_named(&mut self, owner: &Ident, member: &Ident, at: &Ident) -> Option<Effort> {
-        let link = self.link(owner)?;
-        let effort = match self.joint_effort(owner, link, member)? {
-            Effort::Guide(link) => Effort::GuideFriction(link),
-            Effort::Pin(_, pin) | Effort::Bearing(_, pin) => Effort::PinFriction(link, pin),
-            _ => return None,
-        };
-        let rubs = self.mechanism.dynamics.frictions.iter().any(|friction| match effort {
-            Effort::GuideFriction(link) => friction.contact == Contact::Guide(link),
-            _ => rubs_at(friction.contact, link, effort),
-        });
-        if rubs || self.a_force_may_be_unread() {
-            return Some(effort);
-        }
-        let message = format!("nothing rubs at `{owner}.{member}`");
-        let reason = match effort {
-            Effort::GuideFriction(_) => format!("as in `friction 0.1 on {owner};`"),
-            _ => format!("as in `friction 0.1 on {owner} at {member} radius 8mm;`"),
-        };
-        self.diagnostics.error_because(at.span(), message, reason);
-        None
+/// `output BC.C.friction`; any other part is a field of its reaction.
+pub(super) fn part_output(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    [owner, member, part]: &[Ident; 3],
+) {
+    if part == "friction" {
+        let Some(effort) = friction_named(scope, owner, member, part) else { return };
+        let field = format_ident!("{member}_friction", span = member.span());
+        return dynamics_outputs::ask(scope, docs, owner, &field, effort);
     }
+    let (message, reason) = match part.to_string().as_str() {
+        "x" | "y" => (
+            format!("write `{member}.{part}` for the point, `{owner}.{member}` for the reaction"),
+            "a point is known by its own name, and the reaction's components are fields of the \
+             result; under a name of your own a component is an output",
+        ),
+        _ => (
+            format!("write `{owner}.{member}`"),
+            "the reaction of a guide is one output; `normal` and `couple` are fields of the result",
+        ),
+    };
+    scope.diagnostics.error_because(part.span(), message, reason);
+}
 
-    /// A component of an effort, which an output reads.
-    fn reading(&mut self, at: &Ident, effort: Effort, part: usize) -> Option<ResolvedExpr> {
-        self.effort_is_known(at, effort)?;
-        let reads = Reads { efforts: vec![effort], ..Reads::default() };
-        let measure = Measure::Known(self.dimension_of(effort, part));
-        Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, Scalar::Effort(effort, part)) })
+/// The friction of a link at a joint.
+fn friction_named(
+    scope: &mut Scope<'_>,
+    owner: &Ident,
+    member: &Ident,
+    at: &Ident,
+) -> Option<Effort> {
+    let link = uses::link(scope, owner)?;
+    let effort = match dynamics_outputs::joint_effort(scope, owner, link, member)? {
+        Effort::Guide(link) => Effort::GuideFriction(link),
+        Effort::Pin(_, pin) | Effort::Bearing(_, pin) => Effort::PinFriction(link, pin),
+        _ => return None,
+    };
+    let rubs = scope.mechanism.dynamics.frictions.iter().any(|friction| match effort {
+        Effort::GuideFriction(link) => friction.contact == Contact::Guide(link),
+        _ => rubs_at(friction.contact, link, effort),
+    });
+    if rubs || dynamics_outputs::a_force_may_be_unread(scope) {
+        return Some(effort);
     }
+    let message = format!("nothing rubs at `{owner}.{member}`");
+    let reason = match effort {
+        Effort::GuideFriction(_) => format!("as in `friction 0.1 on {owner};`"),
+        _ => format!("as in `friction 0.1 on {owner} at {member} radius 8mm;`"),
+    };
+    scope.diagnostics.error_because(at.span(), message, reason);
+    None
+}
 
-    fn dimension_of(&self, effort: Effort, part: usize) -> Dimension {
-        let Self { mechanism, .. } = self;
-        let dynamics = &mechanism.dynamics;
-        match effort {
-            Effort::Input(id) => conjugate(mechanism.inputs[id.index()].dimension),
-            Effort::Unknown(id) => conjugate(mechanism.unknowns[id.index()].dimension),
-            Effort::Drive(link) => match mechanism.links[link.index()].slides {
-                true => Dimension::FORCE,
-                false => Dimension::TORQUE,
-            },
-            Effort::Push(_) | Effort::Pin(..) | Effort::Bearing(..) | Effort::GuideFriction(_) => {
-                Dimension::FORCE
-            }
-            Effort::Guide(_) => [Dimension::FORCE, Dimension::TORQUE][part],
-            Effort::Shaking => [Dimension::FORCE, Dimension::FORCE, Dimension::TORQUE][part],
-            Effort::Spring(id) => match dynamics.springs[id.index()].ends {
-                Ends::Points(_) => Dimension::FORCE,
-                Ends::Bodies(_) => Dimension::TORQUE,
-            },
-            Effort::Stop(id) => conjugate(dynamics.stops[id.index()].of.dimension()),
-            Effort::Gap(id) => dynamics.stops[id.index()].of.dimension(),
-            Effort::PinFriction(..) => Dimension::TORQUE,
-            Effort::Losses => POWER,
-            Effort::Pull => dynamics.pull.as_ref().map_or(Dimension::NUMBER, |load| load.dimension),
-            Effort::Formula(id) => dynamics.formulas[id.index()].dimension,
+/// A component of an effort, which an output reads.
+fn reading(scope: &mut Scope<'_>, at: &Ident, effort: Effort, part: usize) -> Option<ResolvedExpr> {
+    unknowns::effort_is_known(scope, at, effort)?;
+    let reads = Reads { efforts: vec![effort], ..Reads::default() };
+    let measure = Measure::Known(dimension_of(scope, effort, part));
+    Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, Scalar::Effort(effort, part)) })
+}
+
+fn dimension_of(scope: &Scope<'_>, effort: Effort, part: usize) -> Dimension {
+    let mechanism = &scope.mechanism;
+    let dynamics = &mechanism.dynamics;
+    match effort {
+        Effort::Input(id) => conjugate(mechanism.inputs[id.index()].dimension),
+        Effort::Unknown(id) => conjugate(mechanism.unknowns[id.index()].dimension),
+        Effort::Drive(link) => match mechanism.links[link.index()].slides {
+            true => Dimension::FORCE,
+            false => Dimension::TORQUE,
+        },
+        Effort::Push(_) | Effort::Pin(..) | Effort::Bearing(..) | Effort::GuideFriction(_) => {
+            Dimension::FORCE
         }
+        Effort::Guide(_) => [Dimension::FORCE, Dimension::TORQUE][part],
+        Effort::Shaking => [Dimension::FORCE, Dimension::FORCE, Dimension::TORQUE][part],
+        Effort::Spring(id) => match dynamics.springs[id.index()].ends {
+            Ends::Points(_) => Dimension::FORCE,
+            Ends::Bodies(_) => Dimension::TORQUE,
+        },
+        Effort::Stop(id) => conjugate(dynamics.stops[id.index()].of.dimension()),
+        Effort::Gap(id) => dynamics.stops[id.index()].of.dimension(),
+        Effort::PinFriction(..) => Dimension::TORQUE,
+        Effort::Losses => POWER,
+        Effort::Pull => dynamics.pull.as_ref().map_or(Dimension::NUMBER, |load| load.dimension),
+        Effort::Formula(id) => dynamics.formulas[id.index()].dimension,
     }
 }
 

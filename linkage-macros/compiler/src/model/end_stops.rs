@@ -6,10 +6,11 @@ use syn::Attribute;
 use crate::syntax::anatomy::{GroupSpec, Pin, needed, optional};
 use crate::syntax::tree::{self, StopStatement};
 
-use super::Resolver;
 use super::acting::{Effort, Magnitude, RequestedEffort, Stop, Stopped};
 use super::mechanism::{Dimension, Scalar, StopId};
 use super::names::{Entity, Kind};
+use super::scope::Scope;
+use super::{actions, expressions, fields, masses, numbers, uses};
 
 const STOP: GroupSpec = GroupSpec {
     keyword: "stop",
@@ -27,116 +28,116 @@ const STOP: GroupSpec = GroupSpec {
 /// The members of a stop.
 pub(super) const PARTS: [&str; 2] = ["force", "gap"];
 
-impl Resolver<'_> {
-    pub(super) fn stop(&mut self, docs: &[Attribute], written: &StopStatement) {
-        let name = &written.name;
-        let is_new = name.as_ref().is_none_or(|name| self.name_is_new(name).is_some());
-        let stop = self.stop_of(docs, written);
-        if let (true, Some(stop)) = (is_new, stop) {
-            let stops = &mut self.mechanism.dynamics.stops;
-            let id = StopId(stops.len() as u32);
-            stops.push(stop);
-            name.iter().for_each(|name| self.names.bind(name, Entity::Stop(id)));
+pub(super) fn stop(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) {
+    let name = &written.name;
+    let is_new = name.as_ref().is_none_or(|name| uses::name_is_new(scope, name).is_some());
+    let stop = stop_of(scope, docs, written);
+    if let (true, Some(stop)) = (is_new, stop) {
+        let stops = &mut scope.mechanism.dynamics.stops;
+        let id = StopId(stops.len() as u32);
+        stops.push(stop);
+        name.iter().for_each(|name| scope.names.bind(name, Entity::Stop(id)));
+    }
+}
+
+fn stop_of(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) -> Option<Stop> {
+    let of = stopped(scope, &written.of)?;
+    let ends = ends_of_stop(scope, &written.ends, of.dimension());
+    let fields = fields::fields(scope, &written.fields, &STOP);
+    let per_unit = match &of {
+        Stopped::Angle(_) => Dimension::TORQUE,
+        Stopped::Slide(_) | Stopped::Distance(_) => Dimension::FORCE.times(Dimension::LENGTH, -1),
+    };
+    let stiffness = fields.one("stiffness").and_then(|value| {
+        masses::not_negative(scope, value, per_unit, "a stiffness", "stiffness".to_string())
+    });
+    let damping = match fields.one("damping") {
+        Some(value) => {
+            let dimension = per_unit.times(Dimension::TIME, 1);
+            masses::not_negative(scope, value, dimension, "a damping", "damping".to_string())
+        }
+        None => Some(Magnitude::zero()),
+    };
+    Some(Stop {
+        name: written.name.clone(),
+        docs: docs.to_vec(),
+        of,
+        ends: ends?,
+        stiffness: stiffness?,
+        damping: damping?,
+    })
+}
+
+/// A stop pushes on what it stops: on links by their angles or a slide, or on two points.
+fn stopped(scope: &mut Scope<'_>, of: &tree::Expr) -> Option<Stopped> {
+    let sum = expressions::quantity(scope, of)?.turn();
+    match (sum.links.is_empty(), &sum.rest) {
+        (true, Scalar::Slide(link)) => Some(Stopped::Slide(*link)),
+        (true, Scalar::Distance(points)) => Some(Stopped::Distance(*points)),
+        (false, rest) if !scope.mechanism.moves(rest) => Some(Stopped::Angle(sum)),
+        _ => {
+            let message = "a stop cannot push on this";
+            let reason = "it is of a link's `angle`, a sum of links' angles, a `slide` or a \
+                          `distance(P, Q)`; of an input, name its link: `stop AB.angle between …`";
+            scope.diagnostics.error_because(of.span, message, reason);
+            None
         }
     }
+}
 
-    fn stop_of(&mut self, docs: &[Attribute], written: &StopStatement) -> Option<Stop> {
-        let of = self.stopped(&written.of)?;
-        let ends = self.ends_of_stop(&written.ends, of.dimension());
-        let fields = self.fields(&written.fields, &STOP);
-        let per_unit = match &of {
-            Stopped::Angle(_) => Dimension::TORQUE,
-            Stopped::Slide(_) | Stopped::Distance(_) => {
-                Dimension::FORCE.times(Dimension::LENGTH, -1)
-            }
+/// The ends, the lower one first.
+fn ends_of_stop(
+    scope: &mut Scope<'_>,
+    written: &[tree::Expr; 2],
+    dimension: Dimension,
+) -> Option<[Scalar; 2]> {
+    let [from, to] = [0, 1].map(|end| {
+        let fixed = actions::changes_with_no_input(scope, &written[end], "an end of a stop");
+        let value = numbers::scalar(scope, &written[end], dimension);
+        fixed.and(value)
+    });
+    let ends = [from?, to?];
+    if let [Scalar::Constant(from), Scalar::Constant(to)] = &ends
+        && !from.cmp_value(to).is_lt()
+    {
+        let message = "the second end of a stop lies above the first";
+        let reason = "the motion is free between them: `between (20deg, 110deg)`";
+        scope.diagnostics.error_because(written[1].span, message, reason);
+        return None;
+    }
+    Some(ends)
+}
+
+/// `bumper.force`, `bumper.gap`
+pub(super) fn effort_of_stop(
+    scope: &mut Scope<'_>,
+    owner: &Ident,
+    member: &Ident,
+) -> Option<Effort> {
+    let Entity::Stop(id) = uses::usable(scope, owner, &[Kind::Stop])? else { return None };
+    match PARTS.iter().position(|part| member == part) {
+        Some(0) => Some(Effort::Stop(id)),
+        Some(_) => Some(Effort::Gap(id)),
+        None => {
+            let message = format!("the stop `{owner}` has no `{member}`");
+            let reason = format!("it has `{}` and `{}`", PARTS[0], PARTS[1]);
+            scope.diagnostics.error_because(member.span(), message, reason);
+            None
+        }
+    }
+}
+
+/// Both members of every named stop.
+pub(super) fn efforts_of_stops(scope: &Scope<'_>) -> impl Iterator<Item = RequestedEffort> {
+    let stops = scope.mechanism.dynamics.stops.iter().enumerate();
+    stops.flat_map(|(index, stop)| {
+        let id = StopId(index as u32);
+        let efforts = PARTS.into_iter().zip([Effort::Stop(id), Effort::Gap(id)]);
+        let of = |(part, effort)| {
+            let owner = stop.name.clone()?;
+            let field = Ident::new(part, owner.span());
+            Some(RequestedEffort { owner, field, docs: stop.docs.clone(), effort })
         };
-        let stiffness = fields.one("stiffness").and_then(|value| {
-            self.not_negative(value, per_unit, "a stiffness", "stiffness".to_string())
-        });
-        let damping = match fields.one("damping") {
-            Some(value) => {
-                let dimension = per_unit.times(Dimension::TIME, 1);
-                self.not_negative(value, dimension, "a damping", "damping".to_string())
-            }
-            None => Some(Magnitude::zero()),
-        };
-        Some(Stop {
-            name: written.name.clone(),
-            docs: docs.to_vec(),
-            of,
-            ends: ends?,
-            stiffness: stiffness?,
-            damping: damping?,
-        })
-    }
-
-    /// A stop pushes on what it stops: on links by their angles or a slide, or on two points.
-    fn stopped(&mut self, of: &tree::Expr) -> Option<Stopped> {
-        let sum = self.quantity(of)?.turn();
-        match (sum.links.is_empty(), &sum.rest) {
-            (true, Scalar::Slide(link)) => Some(Stopped::Slide(*link)),
-            (true, Scalar::Distance(points)) => Some(Stopped::Distance(*points)),
-            (false, rest) if !self.mechanism.moves(rest) => Some(Stopped::Angle(sum)),
-            _ => {
-                let message = "a stop cannot push on this";
-                let reason = "it is of a link's `angle`, a sum of links' angles, a `slide` or a \
-                              `distance(P, Q)`; of an input, name its link: `stop AB.angle between …`";
-                self.diagnostics.error_because(of.span, message, reason);
-                None
-            }
-        }
-    }
-
-    /// The ends, the lower one first.
-    fn ends_of_stop(
-        &mut self,
-        written: &[tree::Expr; 2],
-        dimension: Dimension,
-    ) -> Option<[Scalar; 2]> {
-        let [from, to] = [0, 1].map(|end| {
-            let fixed = self.changes_with_no_input(&written[end], "an end of a stop");
-            let value = self.scalar(&written[end], dimension);
-            fixed.and(value)
-        });
-        let ends = [from?, to?];
-        if let [Scalar::Constant(from), Scalar::Constant(to)] = &ends
-            && !from.cmp_value(to).is_lt()
-        {
-            let message = "the second end of a stop lies above the first";
-            let reason = "the motion is free between them: `between (20deg, 110deg)`";
-            self.diagnostics.error_because(written[1].span, message, reason);
-            return None;
-        }
-        Some(ends)
-    }
-
-    /// `bumper.force`, `bumper.gap`
-    pub(super) fn effort_of_stop(&mut self, owner: &Ident, member: &Ident) -> Option<Effort> {
-        let Entity::Stop(id) = self.usable(owner, &[Kind::Stop])? else { return None };
-        match PARTS.iter().position(|part| member == part) {
-            Some(0) => Some(Effort::Stop(id)),
-            Some(_) => Some(Effort::Gap(id)),
-            None => {
-                let message = format!("the stop `{owner}` has no `{member}`");
-                let reason = format!("it has `{}` and `{}`", PARTS[0], PARTS[1]);
-                self.diagnostics.error_because(member.span(), message, reason);
-                None
-            }
-        }
-    }
-
-    /// Both members of every named stop.
-    pub(super) fn efforts_of_stops(&self) -> impl Iterator<Item = RequestedEffort> {
-        let stops = self.mechanism.dynamics.stops.iter().enumerate();
-        stops.flat_map(|(index, stop)| {
-            let id = StopId(index as u32);
-            let efforts = PARTS.into_iter().zip([Effort::Stop(id), Effort::Gap(id)]);
-            let of = |(part, effort)| {
-                let owner = stop.name.clone()?;
-                let field = Ident::new(part, owner.span());
-                Some(RequestedEffort { owner, field, docs: stop.docs.clone(), effort })
-            };
-            efforts.filter_map(of).collect::<Vec<_>>()
-        })
-    }
+        efforts.filter_map(of).collect::<Vec<_>>()
+    })
 }

@@ -4,49 +4,48 @@ use crate::exact::Exact;
 use crate::function::Function;
 use crate::syntax::tree;
 
-use super::Resolver;
 use super::dimension::Measure;
 use super::drawn::printed::text;
 use super::expressions::ResolvedExpr;
 use super::mechanism::{AboveZero, Dimension, Scalar};
+use super::numbers;
+use super::scope::Scope;
 
-impl Resolver<'_> {
-    /// A power by a known integer is one of units, too; any other is a number of numbers.
-    pub(super) fn measure_of_power(
-        &mut self,
-        arguments: &[tree::Expr],
-        values: &[ResolvedExpr],
-    ) -> Option<Measure> {
-        self.dimension_fits(&arguments[1], &values[1], Dimension::NUMBER)?;
-        let Some(times) = known_integer(&values[1]) else {
-            self.dimension_fits(&arguments[0], &values[0], Dimension::NUMBER)?;
-            return Some(Measure::NUMBER);
-        };
-        if times.abs() > Function::LARGEST_POWER {
-            let base = text(&arguments[0]);
-            let message = format!("an exponent of {times}, beyond ±{}", Function::LARGEST_POWER);
-            let reason = format!("write `exp({times} * ln({base}))`");
-            self.diagnostics.error_because(arguments[1].span, message, reason);
-            return None;
-        }
-        Some(values[0].measure.power(times))
+/// A power by a known integer is one of units, too; any other is a number of numbers.
+pub(super) fn measure_of_power(
+    scope: &mut Scope<'_>,
+    arguments: &[tree::Expr],
+    values: &[ResolvedExpr],
+) -> Option<Measure> {
+    numbers::dimension_fits(scope, &arguments[1], &values[1], Dimension::NUMBER)?;
+    let Some(times) = known_integer(&values[1]) else {
+        numbers::dimension_fits(scope, &arguments[0], &values[0], Dimension::NUMBER)?;
+        return Some(Measure::NUMBER);
+    };
+    if times.abs() > Function::LARGEST_POWER {
+        let base = text(&arguments[0]);
+        let message = format!("an exponent of {times}, beyond ±{}", Function::LARGEST_POWER);
+        let reason = format!("write `exp({times} * ln({base}))`");
+        scope.diagnostics.error_because(arguments[1].span, message, reason);
+        return None;
     }
+    Some(values[0].measure.power(times))
+}
 
-    /// The arguments of a call, the first under the condition that it is above zero if the function needs that.
-    pub(super) fn arguments_above_zero(
-        function: Function,
-        arguments: &[tree::Expr],
-        values: Vec<ResolvedExpr>,
-    ) -> Vec<Scalar> {
-        let is_free = !function.needs_positive() || values.get(1).and_then(known_integer).is_some();
-        let mut rests: Vec<_> = values.into_iter().map(|value| value.rest).collect();
-        if !is_free && !rests[0].is_constant() {
-            let value = std::mem::replace(&mut rests[0], Scalar::zero());
-            let name = text(&arguments[0]);
-            rests[0] = Scalar::AboveZero(Box::new(AboveZero { value, name, function }));
-        }
-        rests
+/// The arguments of a call, the first under the condition that it is above zero if the function needs that.
+pub(super) fn arguments_above_zero(
+    function: Function,
+    arguments: &[tree::Expr],
+    values: Vec<ResolvedExpr>,
+) -> Vec<Scalar> {
+    let is_free = !function.needs_positive() || values.get(1).and_then(known_integer).is_some();
+    let mut rests: Vec<_> = values.into_iter().map(|value| value.rest).collect();
+    if !is_free && !rests[0].is_constant() {
+        let value = std::mem::replace(&mut rests[0], Scalar::zero());
+        let name = text(&arguments[0]);
+        rests[0] = Scalar::AboveZero(Box::new(AboveZero { value, name, function }));
     }
+    rests
 }
 
 fn known_integer(value: &ResolvedExpr) -> Option<i64> {

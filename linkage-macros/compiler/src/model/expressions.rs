@@ -2,17 +2,16 @@
 
 use proc_macro2::Ident;
 
-use crate::diagnostics::{Extent, nearest};
+use crate::diagnostics::Extent;
 use crate::exact::Exact;
-use crate::function::Function;
 use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
-use super::Resolver;
 use super::dimension::Measure;
 use super::facts::Reads;
-use super::folding::shown;
 use super::mechanism::{AngleSum, Dimension, LinkId, Operator, ParamKind, Scalar};
 use super::names::{Entity, Kind, NUMBERS};
+use super::scope::Scope;
+use super::{calls, driving_load, effort_formulas, laws, literals, readings, spring_damper, uses};
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct ResolvedExpr {
@@ -46,10 +45,10 @@ pub(super) const ANGLE_REASON: &str = "a link's angle is known up to whole turns
      sums of angles, times an integer, because other ratios jump at ±π";
 
 /// The function of two points.
-const DISTANCE: &str = "distance";
+pub(super) const DISTANCE: &str = "distance";
 
 /// The function of a point and a guide.
-const OFFSET: &str = "offset";
+pub(super) const OFFSET: &str = "offset";
 
 /// The function that forces alone may depend on.
 pub(super) const RATE: &str = "rate";
@@ -98,319 +97,229 @@ impl ResolvedExpr {
     }
 }
 
-impl Resolver<'_> {
-    /// Resolves an expression of a dimension, and reports every mistake in it.
-    pub(super) fn quantity(&mut self, expr: &tree::Expr) -> Option<ResolvedExpr> {
-        self.expression(expr, Allowed::IN_DIMENSIONS)
-    }
+/// Resolves an expression of a dimension, and reports every mistake in it.
+pub(super) fn quantity(scope: &mut Scope<'_>, expr: &tree::Expr) -> Option<ResolvedExpr> {
+    expression(scope, expr, Allowed::IN_DIMENSIONS)
+}
 
-    /// Resolves an expression, and reports every mistake in it.
-    pub(super) fn expression(
-        &mut self,
-        expr: &tree::Expr,
-        allowed: Allowed,
-    ) -> Option<ResolvedExpr> {
-        match &expr.kind {
-            ExprKind::Number { digits, units } => self.literal(expr.span, digits, units),
-            ExprKind::Name(name) if name == "pi" => {
-                Some(ResolvedExpr::constant(Measure::ANGLE, Exact::pi()))
-            }
-            ExprKind::Name(name) if name == "losses" && allowed.efforts => self.losses_read(name),
-            ExprKind::Name(name) => self.named_number(name, allowed),
-            ExprKind::Member(owner, member) => {
-                let effort = allowed.efforts.then(|| self.effort_read(owner, member)).flatten();
-                effort.unwrap_or_else(|| self.member(owner, member, allowed))
-            }
-            ExprKind::Part(path) if allowed.efforts => self.part_read(path),
-            ExprKind::Part(path) => {
-                // Its names are looked at.
-                self.part_read(path)?;
-                None
-            }
-            ExprKind::Negate(inner) => {
-                let mut quantity = self.expression(inner, allowed)?;
-                quantity.scale_links(-1)?;
-                quantity.rest = quantity.rest.negated();
-                Some(quantity)
-            }
-            ExprKind::Chain(first, rest) => self.chain(first, rest, allowed),
-            ExprKind::Call(function, arguments) => {
-                let quantity = match () {
-                    () if function == DISTANCE => self.distance(function, arguments),
-                    () if function == OFFSET => self.offset_from_guide(function, arguments),
-                    () if function == RATE => self.rate(function, arguments, allowed),
-                    () => self.call(function, arguments, allowed),
-                }?;
-                self.number_is_of_a_length(expr.span, quantity.rest.constant())?;
-                Some(quantity)
-            }
-            // The names in it are among what was not read.
-            ExprKind::Mistake => None,
+/// Resolves an expression, and reports every mistake in it.
+pub(super) fn expression(
+    scope: &mut Scope<'_>,
+    expr: &tree::Expr,
+    allowed: Allowed,
+) -> Option<ResolvedExpr> {
+    match &expr.kind {
+        ExprKind::Number { digits, units } => literals::literal(scope, expr.span, digits, units),
+        ExprKind::Name(name) if name == "pi" => {
+            Some(ResolvedExpr::constant(Measure::ANGLE, Exact::pi()))
         }
+        ExprKind::Name(name) if name == "losses" && allowed.efforts => {
+            effort_formulas::losses_read(scope, name)
+        }
+        ExprKind::Name(name) => named_number(scope, name, allowed),
+        ExprKind::Member(owner, member) => {
+            let effort = allowed
+                .efforts
+                .then(|| effort_formulas::effort_read(scope, owner, member))
+                .flatten();
+            effort.unwrap_or_else(|| readings::member(scope, owner, member, allowed))
+        }
+        ExprKind::Part(path) if allowed.efforts => effort_formulas::part_read(scope, path),
+        ExprKind::Part(path) => {
+            // Its names are looked at.
+            effort_formulas::part_read(scope, path)?;
+            None
+        }
+        ExprKind::Negate(inner) => {
+            let mut quantity = expression(scope, inner, allowed)?;
+            quantity.scale_links(-1)?;
+            quantity.rest = quantity.rest.negated();
+            Some(quantity)
+        }
+        ExprKind::Chain(first, rest) => chain(scope, first, rest, allowed),
+        ExprKind::Call(function, arguments) => {
+            let quantity = match () {
+                () if function == DISTANCE => readings::distance(scope, function, arguments),
+                () if function == OFFSET => readings::offset_from_guide(scope, function, arguments),
+                () if function == RATE => spring_damper::rate(scope, function, arguments, allowed),
+                () => calls::call(scope, function, arguments, allowed),
+            }?;
+            literals::number_is_of_a_length(scope, expr.span, quantity.rest.constant())?;
+            Some(quantity)
+        }
+        // The names in it are among what was not read.
+        ExprKind::Mistake => None,
     }
+}
 
-    /// One operation after the other, each on what the one before has made.
-    fn chain(
-        &mut self,
-        first: &tree::Expr,
-        rest: &[(BinaryOp, tree::Expr)],
-        allowed: Allowed,
-    ) -> Option<ResolvedExpr> {
-        self.units_have_parentheses(first, rest)?;
-        let (mut span, mut left) = (first.span, self.expression(first, allowed));
-        for (operator, operand) in rest {
-            // Operands after a mistake are still checked.
-            let right = self.expression(operand, allowed);
-            let sides = left.zip(right);
-            left = sides.and_then(|(left, right)| {
-                self.operation(*operator, (span, left), (operand, right))
-            });
-            span = span.to(operand.span);
-        }
-        let left = left?;
-        self.no_bare_number_beside_a_unit(first, rest, left.measure)?;
-        Some(left)
+/// One operation after the other, each on what the one before has made.
+fn chain(
+    scope: &mut Scope<'_>,
+    first: &tree::Expr,
+    rest: &[(BinaryOp, tree::Expr)],
+    allowed: Allowed,
+) -> Option<ResolvedExpr> {
+    literals::units_have_parentheses(scope, first, rest)?;
+    let (mut span, mut left) = (first.span, expression(scope, first, allowed));
+    for (operator, operand) in rest {
+        // Operands after a mistake are still checked.
+        let right = expression(scope, operand, allowed);
+        let sides = left.zip(right);
+        left = sides
+            .and_then(|(left, right)| operation(scope, *operator, (span, left), (operand, right)));
+        span = span.to(operand.span);
     }
+    let left = left?;
+    literals::no_bare_number_beside_a_unit(scope, first, rest, left.measure)?;
+    Some(left)
+}
 
-    fn operation(
-        &mut self,
-        operator: BinaryOp,
-        left: (Extent, ResolvedExpr),
-        right: (&tree::Expr, ResolvedExpr),
-    ) -> Option<ResolvedExpr> {
-        let span = left.0.to(right.0.span);
-        let reads = left.1.reads.clone().and(right.1.reads.clone());
-        let quantity = match operator {
-            BinaryOp::Add => self.sum(Operator::Add, left, right),
-            BinaryOp::Sub => self.sum(Operator::Sub, left, right),
-            BinaryOp::Mul => self.product(left, (right.0.span, right.1)),
-            BinaryOp::Div => self.quotient(left.1, (right.0.span, right.1)),
-        }?;
-        if let Scalar::Constant(value) = &quantity.rest {
-            self.number_can_be_held(span, Some(value))?;
-        }
-        Some(ResolvedExpr { reads, ..quantity })
+fn operation(
+    scope: &mut Scope<'_>,
+    operator: BinaryOp,
+    left: (Extent, ResolvedExpr),
+    right: (&tree::Expr, ResolvedExpr),
+) -> Option<ResolvedExpr> {
+    let span = left.0.to(right.0.span);
+    let reads = left.1.reads.clone().and(right.1.reads.clone());
+    let quantity = match operator {
+        BinaryOp::Add => sum(scope, Operator::Add, left, right),
+        BinaryOp::Sub => sum(scope, Operator::Sub, left, right),
+        BinaryOp::Mul => product(scope, left, (right.0.span, right.1)),
+        BinaryOp::Div => quotient(scope, left.1, (right.0.span, right.1)),
+    }?;
+    if let Scalar::Constant(value) = &quantity.rest {
+        literals::number_can_be_held(scope, span, Some(value))?;
     }
+    Some(ResolvedExpr { reads, ..quantity })
+}
 
-    fn named_number(&mut self, name: &Ident, allowed: Allowed) -> Option<ResolvedExpr> {
-        if self.names.kind(name) == Some(Kind::Load) {
-            return self.value_of_load(name, allowed);
-        }
-        match self.usable(name, &NUMBERS)? {
-            Entity::Input(id) => {
-                let measure = Measure::Known(self.mechanism.inputs[id.index()].dimension);
-                Some(ResolvedExpr::plain(measure, Scalar::Input(id)))
-            }
-            Entity::Param(id) => {
-                if !matches!(self.mechanism.params[id.index()].kind, ParamKind::Number { .. }) {
-                    let message = format!("`{name}` is a mode, not a number");
-                    self.diagnostics.error(name.span(), message);
-                    return None;
-                }
-                let measure = self.facts.params[id.index()].measure;
-                Some(ResolvedExpr::plain(measure, Scalar::Param(id)))
-            }
-            entity @ (Entity::Let(_) | Entity::Law(_)) => self.value_of_let(name, entity, allowed),
-            Entity::Unknown(id) => {
-                let measure = Measure::Known(self.mechanism.unknowns[id.index()].dimension);
-                Some(ResolvedExpr::plain(measure, Scalar::Unknown(id)))
-            }
-            Entity::Point(_)
-            | Entity::Link(_)
-            | Entity::Guide(_)
-            | Entity::Load(_)
-            | Entity::Pull
-            | Entity::Spring(_)
-            | Entity::Stop(_) => None,
-        }
+fn named_number(scope: &mut Scope<'_>, name: &Ident, allowed: Allowed) -> Option<ResolvedExpr> {
+    if scope.names.kind(name) == Some(Kind::Load) {
+        return driving_load::value_of_load(scope, name, allowed);
     }
-
-    /// The sides of a sum are quantities of one kind.
-    pub(super) fn sum(
-        &mut self,
-        operator: Operator,
-        (left, mut a): (Extent, ResolvedExpr),
-        (right, b): (&tree::Expr, ResolvedExpr),
-    ) -> Option<ResolvedExpr> {
-        let Some(measure) = a.measure.sum(b.measure) else {
-            let (found, wanted) = (b.measure.dimension(), a.measure.dimension());
-            let message = format!("{} where {} belongs", found.words(), wanted.words());
-            let sign = if operator == Operator::Add { '+' } else { '-' };
-            let left = || format!("what stands left of the `{sign}` is {}", wanted.words());
-            let reason = self.name_taken_for_a_unit(right).unwrap_or_else(left);
-            self.diagnostics.error_because(right.span, message, reason);
-            return None;
-        };
-        if measure == Measure::ANGLE {
-            let left_is_small = self.bare_angle_is_within_a_turn(left, &a);
-            self.bare_angle_is_within_a_turn(right.span, &b).and(left_is_small)?;
+    match uses::usable(scope, name, &NUMBERS)? {
+        Entity::Input(id) => {
+            let measure = Measure::Known(scope.mechanism.inputs[id.index()].dimension);
+            Some(ResolvedExpr::plain(measure, Scalar::Input(id)))
         }
-        a.measure = measure;
-        let sign = if operator == Operator::Add { 1 } else { -1 };
-        if a.add_links(&b.links, sign).is_none() {
-            return self.link_angles_are_whole_multiples(right.span, &b.links);
-        }
-        a.rest = a.rest.combined(operator, b.rest)?;
-        Some(a)
-    }
-
-    fn product(
-        &mut self,
-        (left, a): (Extent, ResolvedExpr),
-        (right, b): (Extent, ResolvedExpr),
-    ) -> Option<ResolvedExpr> {
-        let measure = a.measure.product(b.measure);
-        // The factor of a link angle, if there is one, is the other side.
-        let (mut turn, factor, span) = match (a.links.is_empty(), b.links.is_empty()) {
-            (true, true) => {
-                return Some(ResolvedExpr::plain(measure, a.rest.combined(Operator::Mul, b.rest)?));
-            }
-            (false, _) => (a, b, right),
-            (true, false) => (b, a, left),
-        };
-        let integer = factor.rest.constant().and_then(Exact::to_integer);
-        let integer = integer.and_then(|k| i32::try_from(k).ok());
-        let whole = factor.links.is_empty() && factor.measure.fits(Dimension::NUMBER);
-        let links = turn.links.clone();
-        if !whole || integer.and_then(|k| turn.scale_links(k)).is_none() {
-            return self.link_angles_are_whole_multiples(span, &links);
-        }
-        turn.rest = turn.rest.combined(Operator::Mul, factor.rest)?;
-        Some(ResolvedExpr { measure, ..turn })
-    }
-
-    fn quotient(
-        &mut self,
-        mut a: ResolvedExpr,
-        (right, b): (Extent, ResolvedExpr),
-    ) -> Option<ResolvedExpr> {
-        if !b.links.is_empty() {
-            return self.link_angles_are_whole_multiples(right, &b.links);
-        }
-        if b.rest.is_zero() {
-            self.diagnostics.error(right, "a division by zero");
-            return None;
-        }
-        if !a.links.is_empty() {
-            let links = a.links.clone();
-            let divided = match b.rest.constant() {
-                Some(divisor) if b.measure.fits(Dimension::NUMBER) => a.divide_links(divisor),
-                _ => None,
-            };
-            if divided.is_none() {
-                return self.link_angles_are_whole_multiples(right, &links);
-            }
-        }
-        a.measure = a.measure.quotient(b.measure);
-        a.rest = a.rest.combined(Operator::Div, b.rest)?;
-        Some(a)
-    }
-
-    /// Reports a link angle that is multiplied by something other than an integer.
-    fn link_angles_are_whole_multiples(
-        &mut self,
-        span: Extent,
-        links: &[(LinkId, i32)],
-    ) -> Option<ResolvedExpr> {
-        let name = &self.mechanism.links[links[0].0.index()].name;
-        let message = format!("`{name}.angle` can be multiplied by an integer only");
-        self.diagnostics.error_because(span, message, ANGLE_REASON);
-        None
-    }
-
-    fn call(
-        &mut self,
-        name: &Ident,
-        arguments: &[tree::Expr],
-        allowed: Allowed,
-    ) -> Option<ResolvedExpr> {
-        let Some(function) = Function::named(&name.to_string()) else {
-            if self.member_as_a_function(name, arguments) {
+        Entity::Param(id) => {
+            if !matches!(scope.mechanism.params[id.index()].kind, ParamKind::Number { .. }) {
+                let message = format!("`{name}` is a mode, not a number");
+                scope.diagnostics.error(name.span(), message);
                 return None;
             }
-            self.function_exists(name);
-            // It may be a function of points or guides.
-            let numbers = arguments.iter().filter(|argument| !self.is_a_place(argument));
-            let numbers: Vec<_> = numbers.collect();
-            numbers.into_iter().for_each(|argument| drop(self.expression(argument, allowed)));
-            return None;
-        };
-        let values = arguments.iter().map(|argument| self.expression(argument, allowed));
-        let values: Vec<_> = values.collect();
-        if arguments.len() != function.arity() {
-            let takes = if function.arity() == 1 { "one argument" } else { "two arguments" };
-            let message = format!("`{name}` takes {takes}, and {} given", counted(arguments.len()));
-            self.diagnostics.error(name.span(), message);
-            return None;
+            let measure = scope.facts.params[id.index()].measure;
+            Some(ResolvedExpr::plain(measure, Scalar::Param(id)))
         }
-        let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
-        for (argument, value) in arguments.iter().zip(&values) {
-            self.no_link_angle(argument, value)?;
+        entity @ (Entity::Let(_) | Entity::Law(_)) => {
+            laws::value_of_let(scope, name, entity, allowed)
         }
-        let measure = self.measure_of_call(function, arguments, &values)?;
-        let mut reads =
-            values.iter().fold(Reads::default(), |all, value| all.and(value.reads.clone()));
-        let rests = Self::arguments_above_zero(function, arguments, values);
-        let constants: Vec<_> =
-            rests.iter().filter_map(|rest| rest.constant()).map(shown).collect();
-        let called = Scalar::call(function, rests);
-        if called.is_none() {
-            let call = format!("{name}({})", constants.join(", "));
-            self.function_is_defined(function, &arguments[0], &call);
+        Entity::Unknown(id) => {
+            let measure = Measure::Known(scope.mechanism.unknowns[id.index()].dimension);
+            Some(ResolvedExpr::plain(measure, Scalar::Unknown(id)))
         }
-        let called = called?;
-        if !function.is_smooth() && !called.is_constant() {
-            reads.corner = Some(function.name());
-        }
-        if !function.is_smooth() && !called.is_constant() && !allowed.corners {
-            let message = format!("`{name}` stands in forces, torques and outputs alone");
-            let reason = "a dimension is smooth: write `hypot(x, e)` with a small `e` for `abs(x)`";
-            self.diagnostics.error_because(name.span(), message, reason);
-            return None;
-        }
-        Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, called) })
+        Entity::Point(_)
+        | Entity::Link(_)
+        | Entity::Guide(_)
+        | Entity::Load(_)
+        | Entity::Pull
+        | Entity::Spring(_)
+        | Entity::Stop(_) => None,
     }
+}
 
-    /// Reports `angle(BC)` and `x(P)`; whether it was one of these.
-    fn member_as_a_function(&mut self, name: &Ident, arguments: &[tree::Expr]) -> bool {
-        let [Some(owner)] = arguments.iter().map(bare_name).collect::<Vec<_>>()[..] else {
-            return false;
-        };
-        let members: &[&str] = match self.names.kind(owner) {
-            Some(Kind::Link) => &["angle", "slide"],
-            Some(Kind::Point) => &["x", "y"],
-            _ => return false,
-        };
-        let is_member = members.iter().any(|member| name == member);
-        if is_member {
-            let message = format!("write `{owner}.{name}`");
-            let reason = "what a link or a point has stands behind its name";
-            self.diagnostics.error_because(name.span(), message, reason);
-        }
-        is_member
+/// The sides of a sum are quantities of one kind.
+pub(super) fn sum(
+    scope: &mut Scope<'_>,
+    operator: Operator,
+    (left, mut a): (Extent, ResolvedExpr),
+    (right, b): (&tree::Expr, ResolvedExpr),
+) -> Option<ResolvedExpr> {
+    let Some(measure) = a.measure.sum(b.measure) else {
+        let (found, wanted) = (b.measure.dimension(), a.measure.dimension());
+        let message = format!("{} where {} belongs", found.words(), wanted.words());
+        let sign = if operator == Operator::Add { '+' } else { '-' };
+        let left = || format!("what stands left of the `{sign}` is {}", wanted.words());
+        let reason = literals::name_taken_for_a_unit(scope, right).unwrap_or_else(left);
+        scope.diagnostics.error_because(right.span, message, reason);
+        return None;
+    };
+    if measure == Measure::ANGLE {
+        let left_is_small = literals::bare_angle_is_within_a_turn(scope, left, &a);
+        literals::bare_angle_is_within_a_turn(scope, right.span, &b).and(left_is_small)?;
     }
+    a.measure = measure;
+    let sign = if operator == Operator::Add { 1 } else { -1 };
+    if a.add_links(&b.links, sign).is_none() {
+        return link_angles_are_whole_multiples(scope, right.span, &b.links);
+    }
+    a.rest = a.rest.combined(operator, b.rest)?;
+    Some(a)
+}
 
-    /// Reports a function that does not exist, with the nearest one.
-    fn function_exists(&mut self, name: &Ident) {
-        let text = name.to_string();
-        let mut message = format!("no function named `{text}`");
-        let known = Function::names().chain([DISTANCE, OFFSET, RATE]);
-        if let Some(near) = nearest(&text, known) {
-            message += &format!("; a function with a similar name exists: `{near}`");
+fn product(
+    scope: &mut Scope<'_>,
+    (left, a): (Extent, ResolvedExpr),
+    (right, b): (Extent, ResolvedExpr),
+) -> Option<ResolvedExpr> {
+    let measure = a.measure.product(b.measure);
+    // The factor of a link angle, if there is one, is the other side.
+    let (mut turn, factor, span) = match (a.links.is_empty(), b.links.is_empty()) {
+        (true, true) => {
+            return Some(ResolvedExpr::plain(measure, a.rest.combined(Operator::Mul, b.rest)?));
         }
-        let names: Vec<_> = Function::names().chain([DISTANCE, OFFSET]).collect();
-        let reason = format!(
-            "the functions are `{}`, and `{RATE}` in forces, torques and outputs",
-            names.join(" ")
-        );
-        self.diagnostics.error_because(name.span(), message, reason);
+        (false, _) => (a, b, right),
+        (true, false) => (b, a, left),
+    };
+    let integer = factor.rest.constant().and_then(Exact::to_integer);
+    let integer = integer.and_then(|k| i32::try_from(k).ok());
+    let whole = factor.links.is_empty() && factor.measure.fits(Dimension::NUMBER);
+    let links = turn.links.clone();
+    if !whole || integer.and_then(|k| turn.scale_links(k)).is_none() {
+        return link_angles_are_whole_multiples(scope, span, &links);
     }
+    turn.rest = turn.rest.combined(Operator::Mul, factor.rest)?;
+    Some(ResolvedExpr { measure, ..turn })
+}
 
-    /// Reports a function of constants where it has no value.
-    fn function_is_defined(&mut self, function: Function, argument: &tree::Expr, call: &str) {
-        let message = format!("`{call}` has no value");
-        self.diagnostics.error_because(argument.span, message, function.domain());
+fn quotient(
+    scope: &mut Scope<'_>,
+    mut a: ResolvedExpr,
+    (right, b): (Extent, ResolvedExpr),
+) -> Option<ResolvedExpr> {
+    if !b.links.is_empty() {
+        return link_angles_are_whole_multiples(scope, right, &b.links);
     }
+    if b.rest.is_zero() {
+        scope.diagnostics.error(right, "a division by zero");
+        return None;
+    }
+    if !a.links.is_empty() {
+        let links = a.links.clone();
+        let divided = match b.rest.constant() {
+            Some(divisor) if b.measure.fits(Dimension::NUMBER) => a.divide_links(divisor),
+            _ => None,
+        };
+        if divided.is_none() {
+            return link_angles_are_whole_multiples(scope, right, &links);
+        }
+    }
+    a.measure = a.measure.quotient(b.measure);
+    a.rest = a.rest.combined(Operator::Div, b.rest)?;
+    Some(a)
+}
+
+/// Reports a link angle that is multiplied by something other than an integer.
+fn link_angles_are_whole_multiples(
+    scope: &mut Scope<'_>,
+    span: Extent,
+    links: &[(LinkId, i32)],
+) -> Option<ResolvedExpr> {
+    let name = &scope.mechanism.links[links[0].0.index()].name;
+    let message = format!("`{name}.angle` can be multiplied by an integer only");
+    scope.diagnostics.error_because(span, message, ANGLE_REASON);
+    None
 }
 
 /// "3 are", "1 is"

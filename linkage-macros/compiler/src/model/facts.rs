@@ -1,5 +1,7 @@
 //! Facts that the rules remember about things already made, beside the mechanism itself.
 
+use proc_macro2::{Ident, Span};
+
 use crate::diagnostics::Extent;
 use crate::exact::Exact;
 use crate::reach::line::BodyLine;
@@ -7,6 +9,7 @@ use crate::syntax::tree::Declaration;
 
 use super::acting::Effort;
 use super::dimension::Measure;
+use super::driving_load;
 use super::literals::longest_in_small_units;
 use super::mechanism::{Carrier, GuideId, PointId, Scalar};
 use super::names::Entity;
@@ -32,6 +35,10 @@ pub(super) struct Facts {
     pub ends_of_unknowns: Vec<[Extent; 2]>,
     /// Points, links and unknowns in order of declaration.
     pub order: Vec<Entity>,
+    /// Where gravity is given.
+    pub gravity_at: Option<Span>,
+    /// The load that drives an input.
+    pub driving: Option<String>,
     /// The longest length that has a unit, where all of them are smaller than a metre.
     pub longest_in_small_units: Option<Exact>,
     /// The longest length without a unit, and where it stands.
@@ -128,7 +135,9 @@ impl Reads {
 impl Facts {
     /// The facts that hold before the first statement is resolved.
     pub(super) fn of(tree: &Declaration) -> Self {
-        Self { longest_in_small_units: longest_in_small_units(tree), ..Self::default() }
+        let longest_in_small_units = longest_in_small_units(tree);
+        let driving = driving_load::named_by(tree).map(Ident::to_string);
+        Self { longest_in_small_units, driving, ..Self::default() }
     }
 
     /// The unknown that is searched: one that is not solved yet.

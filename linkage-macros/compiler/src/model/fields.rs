@@ -5,8 +5,9 @@ use proc_macro2::Span;
 use crate::diagnostics::nearest;
 use crate::syntax::tree::{Expr, GroupField, GroupFieldValue, GroupStatement};
 
-use super::Resolver;
 use super::names::listed;
+use super::scope::Scope;
+use super::{modes, uses};
 use crate::syntax::anatomy::{FieldRule, GroupSpec, Needed};
 
 /// The fields that are known and of the right shape.
@@ -42,163 +43,164 @@ impl<'t> Fields<'t> {
     }
 }
 
-impl Resolver<'_> {
-    pub(super) fn fields<'t>(
-        &mut self,
-        group: &'t GroupStatement,
-        anatomy: &'static GroupSpec,
-    ) -> Fields<'t> {
-        let (known, present) = (Vec::new(), Vec::new());
-        let mut fields = Fields { known, present, all_are_read: group.fields_are_read };
-        for field in &group.fields {
-            let Some(name) = self.field_exists(field, group, anatomy, &mut fields.present) else {
-                continue;
-            };
-            if fields.present.contains(&name) {
-                // A damaged field of this name may have been half of this one.
-                if !group.fields.iter().any(|other| other.name == name && is_damaged(other)) {
-                    let message = format!("the field `{name}` is given twice; remove one");
-                    self.diagnostics.error(field.name.span(), message);
-                }
-                continue;
-            }
-            fields.present.push(name);
-            if self.field_has_its_shape(field, anatomy).is_some()
-                && self.field_has_its_pin(field, group, anatomy).is_some()
-            {
-                fields.known.push((name, &field.value));
-            }
-        }
-        if group.fields_are_read {
-            self.no_field_is_missing(group, anatomy, &fields);
-        }
-        fields
-    }
-
-    /// Reports a field that the group does not have. A misspelt field counts as present, and so does
-    /// the first missing field where no name is near: neither is reported as missing, too.
-    fn field_exists(
-        &mut self,
-        field: &GroupField,
-        group: &GroupStatement,
-        anatomy: &'static GroupSpec,
-        present: &mut Vec<&'static str>,
-    ) -> Option<&'static str> {
-        let name = field.name.to_string();
-        let names = anatomy.field_names();
-        if let Some(known) = names.iter().find(|known| **known == name) {
-            return Some(known);
-        }
-        let keyword = anatomy.keyword;
-        let mut message = format!("`{keyword}` has no field `{name}`");
-        // A field that is given elsewhere by its right name was not meant here.
-        let given = |known: &&str| group.fields.iter().any(|field| field.name == known);
-        let free = names.iter().copied().filter(|known| !given(known));
-        let reason = if let Some(near) = nearest(&name, free) {
-            present.push(near);
-            message += &format!("; a field with a similar name exists: `{near}`");
-            None
-        } else if name == "mode" {
-            Some(format!("`{keyword}` can be assembled in one way only"))
-        } else if is_damaged(field) {
-            return None;
-        } else if let Some((missing, meaning)) = self.first_missing(group, anatomy, present) {
-            present.push(missing);
-            self.use_is_hidden = true;
-            Some(format!("what is missing is `{missing}`: {meaning}"))
-        } else {
-            let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-            Some(format!("its fields are {}", listed(&names, "and")))
+pub(super) fn fields<'t>(
+    scope: &mut Scope<'_>,
+    group: &'t GroupStatement,
+    anatomy: &'static GroupSpec,
+) -> Fields<'t> {
+    let (known, present) = (Vec::new(), Vec::new());
+    let mut fields = Fields { known, present, all_are_read: group.fields_are_read };
+    for field in &group.fields {
+        let Some(name) = field_exists(scope, field, group, anatomy, &mut fields.present) else {
+            continue;
         };
-        self.report(field.name.span(), message, reason);
-        None
-    }
-
-    /// A pair is given where there are two links to speak of, one value elsewhere.
-    fn field_has_its_shape(&mut self, field: &GroupField, anatomy: &GroupSpec) -> Option<()> {
-        let name = &field.name;
-        let rule = anatomy.fields.iter().find(|rule| name == rule.name);
-        let pair = rule.is_some_and(|rule| rule.pair);
-        match (&field.value, pair) {
-            (GroupFieldValue::One(value), _) if value.is_mistake() => return None,
-            (GroupFieldValue::One(_), false) | (GroupFieldValue::Pair(_), true) => return Some(()),
-            (GroupFieldValue::One(_), true) => {
-                let message = format!("`{name}` takes two values; write `{name}: (…, …)`");
-                let reason = rule.map_or("", |rule| rule.meaning);
-                self.diagnostics.error_because(name.span(), message, reason);
+        if fields.present.contains(&name) {
+            // A damaged field of this name may have been half of this one.
+            if !group.fields.iter().any(|other| other.name == name && is_damaged(other)) {
+                let message = format!("the field `{name}` is given twice; remove one");
+                scope.diagnostics.error(field.name.span(), message);
             }
-            (GroupFieldValue::Pair(_), false) => {
-                let message = format!("`{name}` takes one value; write `{name}: …`");
-                self.report(name.span(), message, rule.map(|rule| rule.meaning));
-            }
+            continue;
         }
-        None
-    }
-
-    /// The distance to a pin is given only where there is a pin.
-    fn field_has_its_pin(
-        &mut self,
-        field: &GroupField,
-        group: &GroupStatement,
-        anatomy: &GroupSpec,
-    ) -> Option<()> {
-        let rule = anatomy.fields.iter().find(|rule| field.name == rule.name);
-        let may_have_pin = group.pin.is_some() || !group.head_is_read;
-        if may_have_pin || rule.is_none_or(|rule| rule.needed != Needed::WithPin) {
-            return Some(());
-        }
-        let name = &field.name;
-        let message =
-            format!("a `{}` without a pin has no `{name}`; name the pin, `-> B`", anatomy.keyword);
-        let reason = format!("`{name}` is {}", rule.map_or("", |rule| rule.meaning));
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
-    }
-
-    /// Every field without a default is given; a missing one is reported at the closing brace.
-    fn no_field_is_missing(
-        &mut self,
-        group: &GroupStatement,
-        anatomy: &GroupSpec,
-        fields: &Fields,
-    ) {
-        for (name, meaning) in self.needed(group, anatomy) {
-            if fields.is_left_out(name) {
-                self.missing(group.end, name, &meaning);
-            }
+        fields.present.push(name);
+        if field_has_its_shape(scope, field, anatomy).is_some()
+            && field_has_its_pin(scope, field, group, anatomy).is_some()
+        {
+            fields.known.push((name, &field.value));
         }
     }
-
-    /// The fields without a default, and what they say.
-    fn needed(&self, group: &GroupStatement, anatomy: &GroupSpec) -> Vec<(&'static str, String)> {
-        let is_needed = |rule: &&FieldRule| match rule.needed {
-            Needed::Always => true,
-            Needed::WithPin => group.pin.is_some(),
-            Needed::Never => false,
-        };
-        let rules = anatomy.fields.iter().filter(is_needed);
-        let mut needed: Vec<_> = rules.map(|rule| (rule.name, rule.meaning.to_string())).collect();
-        let modes = anatomy.modes.filter(|_| anatomy.mode_is_needed());
-        needed.extend(modes.map(|modes| ("mode", self.modes_explained(modes, group))));
-        needed
+    if group.fields_are_read {
+        no_field_is_missing(scope, group, anatomy, &fields);
     }
+    fields
+}
 
-    /// A field without a default that is not given anywhere in the group.
-    fn first_missing(
-        &self,
-        group: &GroupStatement,
-        anatomy: &GroupSpec,
-        present: &[&'static str],
-    ) -> Option<(&'static str, String)> {
-        let given = |name| present.contains(&name) || group.fields.iter().any(|f| f.name == name);
-        self.needed(group, anatomy).into_iter().find(|(name, _)| !given(name))
+/// Reports a field that the group does not have. A misspelt field counts as present, and so does
+/// the first missing field where no name is near: neither is reported as missing, too.
+fn field_exists(
+    scope: &mut Scope<'_>,
+    field: &GroupField,
+    group: &GroupStatement,
+    anatomy: &'static GroupSpec,
+    present: &mut Vec<&'static str>,
+) -> Option<&'static str> {
+    let name = field.name.to_string();
+    let names = anatomy.field_names();
+    if let Some(known) = names.iter().find(|known| **known == name) {
+        return Some(known);
     }
+    let keyword = anatomy.keyword;
+    let mut message = format!("`{keyword}` has no field `{name}`");
+    // A field that is given elsewhere by its right name was not meant here.
+    let given = |known: &&str| group.fields.iter().any(|field| field.name == known);
+    let free = names.iter().copied().filter(|known| !given(known));
+    let reason = if let Some(near) = nearest(&name, free) {
+        present.push(near);
+        message += &format!("; a field with a similar name exists: `{near}`");
+        None
+    } else if name == "mode" {
+        Some(format!("`{keyword}` can be assembled in one way only"))
+    } else if is_damaged(field) {
+        return None;
+    } else if let Some((missing, meaning)) = first_missing(group, anatomy, present) {
+        present.push(missing);
+        scope.names.use_is_hidden = true;
+        Some(format!("what is missing is `{missing}`: {meaning}"))
+    } else {
+        let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+        Some(format!("its fields are {}", listed(&names, "and")))
+    };
+    uses::report(scope, field.name.span(), message, reason);
+    None
+}
 
-    fn missing(&mut self, end: Span, name: &str, meaning: &str) {
-        self.use_is_hidden |= name != "mode";
-        let message = format!("missing field `{name}`");
-        self.diagnostics.error_because(end, message, meaning);
+/// A pair is given where there are two links to speak of, one value elsewhere.
+fn field_has_its_shape(
+    scope: &mut Scope<'_>,
+    field: &GroupField,
+    anatomy: &GroupSpec,
+) -> Option<()> {
+    let name = &field.name;
+    let rule = anatomy.fields.iter().find(|rule| name == rule.name);
+    let pair = rule.is_some_and(|rule| rule.pair);
+    match (&field.value, pair) {
+        (GroupFieldValue::One(value), _) if value.is_mistake() => return None,
+        (GroupFieldValue::One(_), false) | (GroupFieldValue::Pair(_), true) => return Some(()),
+        (GroupFieldValue::One(_), true) => {
+            let message = format!("`{name}` takes two values; write `{name}: (…, …)`");
+            let reason = rule.map_or("", |rule| rule.meaning);
+            scope.diagnostics.error_because(name.span(), message, reason);
+        }
+        (GroupFieldValue::Pair(_), false) => {
+            let message = format!("`{name}` takes one value; write `{name}: …`");
+            uses::report(scope, name.span(), message, rule.map(|rule| rule.meaning));
+        }
     }
+    None
+}
+
+/// The distance to a pin is given only where there is a pin.
+fn field_has_its_pin(
+    scope: &mut Scope<'_>,
+    field: &GroupField,
+    group: &GroupStatement,
+    anatomy: &GroupSpec,
+) -> Option<()> {
+    let rule = anatomy.fields.iter().find(|rule| field.name == rule.name);
+    let may_have_pin = group.pin.is_some() || !group.head_is_read;
+    if may_have_pin || rule.is_none_or(|rule| rule.needed != Needed::WithPin) {
+        return Some(());
+    }
+    let name = &field.name;
+    let message =
+        format!("a `{}` without a pin has no `{name}`; name the pin, `-> B`", anatomy.keyword);
+    let reason = format!("`{name}` is {}", rule.map_or("", |rule| rule.meaning));
+    scope.diagnostics.error_because(name.span(), message, reason);
+    None
+}
+
+/// Every field without a default is given; a missing one is reported at the closing brace.
+fn no_field_is_missing(
+    scope: &mut Scope<'_>,
+    group: &GroupStatement,
+    anatomy: &GroupSpec,
+    fields: &Fields,
+) {
+    for (name, meaning) in needed(group, anatomy) {
+        if fields.is_left_out(name) {
+            missing(scope, group.end, name, &meaning);
+        }
+    }
+}
+
+/// The fields without a default, and what they say.
+fn needed(group: &GroupStatement, anatomy: &GroupSpec) -> Vec<(&'static str, String)> {
+    let is_needed = |rule: &&FieldRule| match rule.needed {
+        Needed::Always => true,
+        Needed::WithPin => group.pin.is_some(),
+        Needed::Never => false,
+    };
+    let rules = anatomy.fields.iter().filter(is_needed);
+    let mut needed: Vec<_> = rules.map(|rule| (rule.name, rule.meaning.to_string())).collect();
+    let modes = anatomy.modes.filter(|_| anatomy.mode_is_needed());
+    needed.extend(modes.map(|modes| ("mode", modes::modes_explained(modes, group))));
+    needed
+}
+
+/// A field without a default that is not given anywhere in the group.
+fn first_missing(
+    group: &GroupStatement,
+    anatomy: &GroupSpec,
+    present: &[&'static str],
+) -> Option<(&'static str, String)> {
+    let given = |name| present.contains(&name) || group.fields.iter().any(|f| f.name == name);
+    needed(group, anatomy).into_iter().find(|(name, _)| !given(name))
+}
+
+fn missing(scope: &mut Scope<'_>, end: Span, name: &str, meaning: &str) {
+    scope.names.use_is_hidden |= name != "mode";
+    let message = format!("missing field `{name}`");
+    scope.diagnostics.error_because(end, message, meaning);
 }
 
 /// True if the value of the field could not be read.

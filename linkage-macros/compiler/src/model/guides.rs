@@ -6,197 +6,195 @@ use crate::exact::Exact;
 use crate::reach::line::BodyLine;
 use crate::syntax::tree;
 
-use super::Resolver;
 use super::assembly::constants;
 use super::expressions::bare_name;
 use super::facts::GuideFacts;
 use super::mechanism::{Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through};
 use super::names::Entity;
+use super::scope::Scope;
+use super::{numbers, uses};
 
-impl Resolver<'_> {
-    pub(super) fn guide_line(
-        &mut self,
-        name: &Ident,
-        on: Option<&Ident>,
-        through: &tree::GuideAnchor,
-        course: &tree::Course,
-        moves: bool,
-    ) {
-        let is_new = self.name_is_new(name).is_some();
-        let carrier = self.carrier(on);
-        let through = self.spot(through, carrier);
-        let course = self.course(course, carrier);
-        let differ = match (&through, &course) {
-            (Some((spot, from)), Some((course, _))) => {
-                self.guide_has_a_direction(name, carrier, spot, from.as_ref(), course)
-            }
-            _ => None,
-        };
-        let (true, Some(carrier)) = (is_new, carrier) else {
-            return;
-        };
-        let id = GuideId(self.mechanism.guides.len() as u32);
-        self.mechanism.guides.push(Guide { name: name.clone() });
-        self.names.bind(name, Entity::Guide(id));
-        let place = through.as_ref().and_then(|(_, place)| place.clone());
-        let angle = match (&course, &place) {
-            (Some((GuideDirection::Along(turn), _)), _) => turn.constant().cloned(),
-            (Some((GuideDirection::Towards(_), Some(to))), Some(from)) => {
-                to[1].sub(&from[1]).atan2(&to[0].sub(&from[0]))
-            }
-            _ => None,
-        };
-        let line = place.zip(angle.clone()).map(|(through, angle)| BodyLine { through, angle });
-        self.facts.guides.push(GuideFacts { moves, carrier, line, angle });
-        if let (Some((through, _)), Some((course, _)), Some(())) = (through, course, differ) {
-            self.mechanism.steps.push(Step::Guide { guide: id, carrier, through, course });
+pub(super) fn guide_line(
+    scope: &mut Scope<'_>,
+    name: &Ident,
+    on: Option<&Ident>,
+    through: &tree::GuideAnchor,
+    course: &tree::Course,
+    moves: bool,
+) {
+    let is_new = uses::name_is_new(scope, name).is_some();
+    let carrier = carrier(scope, on);
+    let through = spot(scope, through, carrier);
+    let course = self::course(scope, course, carrier);
+    let differ = match (&through, &course) {
+        (Some((spot, from)), Some((course, _))) => {
+            guide_has_a_direction(scope, name, carrier, spot, from.as_ref(), course)
         }
-    }
-
-    /// The body that something is declared on; the ground where none is named.
-    pub(super) fn carrier(&mut self, on: Option<&Ident>) -> Option<Carrier> {
-        match on {
-            None => Some(Carrier::Ground),
-            Some(name) if name == "ground" => Some(Carrier::Ground),
-            Some(name) => self.link(name).map(Carrier::Link),
+        _ => None,
+    };
+    let (true, Some(carrier)) = (is_new, carrier) else {
+        return;
+    };
+    let id = GuideId(scope.mechanism.guides.len() as u32);
+    scope.mechanism.guides.push(Guide { name: name.clone() });
+    scope.names.bind(name, Entity::Guide(id));
+    let place = through.as_ref().and_then(|(_, place)| place.clone());
+    let angle = match (&course, &place) {
+        (Some((GuideDirection::Along(turn), _)), _) => turn.constant().cloned(),
+        (Some((GuideDirection::Towards(_), Some(to))), Some(from)) => {
+            to[1].sub(&from[1]).atan2(&to[0].sub(&from[0]))
         }
+        _ => None,
+    };
+    let line = place.zip(angle.clone()).map(|(through, angle)| BodyLine { through, angle });
+    scope.facts.guides.push(GuideFacts { moves, carrier, line, angle });
+    if let (Some((through, _)), Some((course, _)), Some(())) = (through, course, differ) {
+        scope.mechanism.steps.push(Step::Guide { guide: id, carrier, through, course });
     }
+}
 
-    /// The point a guide goes through, and its place if that is constant.
-    fn spot(
-        &mut self,
-        spot: &tree::GuideAnchor,
-        carrier: Option<Carrier>,
-    ) -> Option<(Through, Option<[Exact; 2]>)> {
-        match spot {
-            tree::GuideAnchor::At(place) => {
-                let place = self.lengths(place)?;
-                let at = constants(&place);
-                Some((Through::At(place), at))
-            }
-            tree::GuideAnchor::Point(name) => {
-                let (point, at) = self.point_lies_on_carrier(name, carrier)?;
-                Some((Through::Point(point), at))
-            }
-            tree::GuideAnchor::Mistake => None,
+/// The body that something is declared on; the ground where none is named.
+pub(super) fn carrier(scope: &mut Scope<'_>, on: Option<&Ident>) -> Option<Carrier> {
+    match on {
+        None => Some(Carrier::Ground),
+        Some(name) if name == "ground" => Some(Carrier::Ground),
+        Some(name) => uses::link(scope, name).map(Carrier::Link),
+    }
+}
+
+/// The point a guide goes through, and its place if that is constant.
+fn spot(
+    scope: &mut Scope<'_>,
+    spot: &tree::GuideAnchor,
+    carrier: Option<Carrier>,
+) -> Option<(Through, Option<[Exact; 2]>)> {
+    match spot {
+        tree::GuideAnchor::At(place) => {
+            let place = numbers::lengths(scope, place)?;
+            let at = constants(&place);
+            Some((Through::At(place), at))
         }
-    }
-
-    /// Where a guide goes, and where that lies if it is a point at a constant place.
-    fn course(
-        &mut self,
-        course: &tree::Course,
-        carrier: Option<Carrier>,
-    ) -> Option<(GuideDirection, Option<[Exact; 2]>)> {
-        match course {
-            tree::Course::Along(angle) => {
-                self.axis_is_an_angle(angle)?;
-                Some((GuideDirection::Along(self.turn(angle)?), None))
-            }
-            tree::Course::Towards(name) => {
-                let (point, at) = self.point_lies_on_carrier(name, carrier)?;
-                Some((GuideDirection::Towards(point), at))
-            }
-            tree::Course::Mistake => None,
+        tree::GuideAnchor::Point(name) => {
+            let (point, at) = point_lies_on_carrier(scope, name, carrier)?;
+            Some((Through::Point(point), at))
         }
+        tree::GuideAnchor::Mistake => None,
     }
+}
 
-    /// An axis, by its name, is no angle.
-    fn axis_is_an_angle(&mut self, angle: &tree::Expr) -> Option<()> {
-        let name = bare_name(angle).filter(|name| self.names.kind(name).is_none());
-        let degrees = match name.map(ToString::to_string).as_deref() {
-            Some("x" | "X" | "horizontal") => "0deg",
-            Some("y" | "Y" | "vertical") => "90deg",
-            _ => return Some(()),
-        };
-        let message = format!("write `along {degrees}`");
-        self.diagnostics.error_because(angle.span, message, "a direction is an angle from +x");
-        None
-    }
-
-    /// A guide goes through points of the body it is fixed in.
-    fn point_lies_on_carrier(
-        &mut self,
-        name: &Ident,
-        carrier: Option<Carrier>,
-    ) -> Option<(PointId, Option<[Exact; 2]>)> {
-        let point = self.point(name)?;
-        let carrier = carrier?;
-        if self.facts.belongs_to(point, carrier) {
-            return Some((point, self.facts.place(point, carrier).cloned()));
+/// Where a guide goes, and where that lies if it is a point at a constant place.
+fn course(
+    scope: &mut Scope<'_>,
+    course: &tree::Course,
+    carrier: Option<Carrier>,
+) -> Option<(GuideDirection, Option<[Exact; 2]>)> {
+    match course {
+        tree::Course::Along(angle) => {
+            axis_is_an_angle(scope, angle)?;
+            Some((GuideDirection::Along(numbers::turn(scope, angle)?), None))
         }
-        match carrier {
-            Carrier::Ground => {
-                let message =
-                    format!("`{name}` is no ground point, and the guide is fixed in the ground");
-                let reason = match self.links_through(point).as_slice() {
-                    [] => "use a ground point, or declare the guide on a link".to_string(),
-                    [link, ..] => format!("declare the guide on a link: `guide … on {link} …`"),
-                };
-                self.diagnostics.error_because(name.span(), message, reason);
-            }
-            // A joint of the link may have been in error, and the name may be meant for it.
-            Carrier::Link(link) if !self.facts.links[link.index()].has_its_joints => {}
-            Carrier::Link(link) => self.no_point_of(name, link),
+        tree::Course::Towards(name) => {
+            let (point, at) = point_lies_on_carrier(scope, name, carrier)?;
+            Some((GuideDirection::Towards(point), at))
         }
-        None
+        tree::Course::Mistake => None,
     }
+}
 
-    /// Says so, and which are.
-    pub(super) fn no_point_of(&mut self, name: &Ident, link: LinkId) {
-        let points = self.facts.points_of(Carrier::Link(link));
-        let points: Vec<_> = points
-            .map(|point| format!("`{}`", self.mechanism.points[point.index()].name))
-            .collect();
-        let link = &self.mechanism.links[link.index()].name;
-        let message = format!("`{name}` is no point of `{link}`");
-        let reason = match points.as_slice() {
-            [] => format!("declare one: `point {name}1 on {link} at (…, …);`"),
-            _ => format!("its points are {}", points.join(", ")),
-        };
-        self.diagnostics.error_because(name.span(), message, reason);
+/// An axis, by its name, is no angle.
+fn axis_is_an_angle(scope: &mut Scope<'_>, angle: &tree::Expr) -> Option<()> {
+    let name = bare_name(angle).filter(|name| scope.names.kind(name).is_none());
+    let degrees = match name.map(ToString::to_string).as_deref() {
+        Some("x" | "X" | "horizontal") => "0deg",
+        Some("y" | "Y" | "vertical") => "90deg",
+        _ => return Some(()),
+    };
+    let message = format!("write `along {degrees}`");
+    scope.diagnostics.error_because(angle.span, message, "a direction is an angle from +x");
+    None
+}
+
+/// A guide goes through points of the body it is fixed in.
+fn point_lies_on_carrier(
+    scope: &mut Scope<'_>,
+    name: &Ident,
+    carrier: Option<Carrier>,
+) -> Option<(PointId, Option<[Exact; 2]>)> {
+    let point = uses::point(scope, name)?;
+    let carrier = carrier?;
+    if scope.facts.belongs_to(point, carrier) {
+        return Some((point, scope.facts.place(point, carrier).cloned()));
     }
-
-    fn links_through(&self, point: PointId) -> Vec<&Ident> {
-        let links = self.mechanism.links.iter().enumerate();
-        links
-            .filter(|&(i, _)| self.facts.belongs_to(point, Carrier::Link(LinkId(i as u32))))
-            .map(|(_, link)| &link.name)
-            .collect()
-    }
-
-    /// The two points of a guide are not the same, nor at the same constant place.
-    fn guide_has_a_direction(
-        &mut self,
-        name: &Ident,
-        carrier: Option<Carrier>,
-        through: &Through,
-        from: Option<&[Exact; 2]>,
-        course: &GuideDirection,
-    ) -> Option<()> {
-        let GuideDirection::Towards(to) = course else {
-            return Some(());
-        };
-        let same = matches!(through, Through::Point(point) if point == to);
-        let place = carrier.and_then(|carrier| self.facts.place(*to, carrier));
-        let coincide = from
-            .zip(place)
-            .is_some_and(|(from, to)| from.iter().zip(to).all(|(from, to)| from.sub(to).is_zero()));
-        if !same && !coincide {
-            return Some(());
+    match carrier {
+        Carrier::Ground => {
+            let message =
+                format!("`{name}` is no ground point, and the guide is fixed in the ground");
+            let reason = match links_through(scope, point).as_slice() {
+                [] => "use a ground point, or declare the guide on a link".to_string(),
+                [link, ..] => format!("declare the guide on a link: `guide … on {link} …`"),
+            };
+            scope.diagnostics.error_because(name.span(), message, reason);
         }
-        let message = format!("`{name}` has no direction; choose two points that differ");
-        let to = &self.mechanism.points[to.index()].name;
-        let reason = match through {
-            Through::Point(from) if self.mechanism.points[from.index()].name == *to => {
-                format!("it goes through `{to}` and towards `{to}`")
-            }
-            Through::Point(from) => {
-                format!("`{}` and `{to}` coincide", self.mechanism.points[from.index()].name)
-            }
-            Through::At(_) => format!("it already goes through `{to}`"),
-        };
-        self.diagnostics.error_because(name.span(), message, reason);
-        None
+        // A joint of the link may have been in error, and the name may be meant for it.
+        Carrier::Link(link) if !scope.facts.links[link.index()].has_its_joints => {}
+        Carrier::Link(link) => no_point_of(scope, name, link),
     }
+    None
+}
+
+/// Says so, and which are.
+pub(super) fn no_point_of(scope: &mut Scope<'_>, name: &Ident, link: LinkId) {
+    let points = scope.facts.points_of(Carrier::Link(link));
+    let points: Vec<_> =
+        points.map(|point| format!("`{}`", scope.mechanism.points[point.index()].name)).collect();
+    let link = &scope.mechanism.links[link.index()].name;
+    let message = format!("`{name}` is no point of `{link}`");
+    let reason = match points.as_slice() {
+        [] => format!("declare one: `point {name}1 on {link} at (…, …);`"),
+        _ => format!("its points are {}", points.join(", ")),
+    };
+    scope.diagnostics.error_because(name.span(), message, reason);
+}
+
+fn links_through<'s>(scope: &'s Scope<'_>, point: PointId) -> Vec<&'s Ident> {
+    let links = scope.mechanism.links.iter().enumerate();
+    links
+        .filter(|&(i, _)| scope.facts.belongs_to(point, Carrier::Link(LinkId(i as u32))))
+        .map(|(_, link)| &link.name)
+        .collect()
+}
+
+/// The two points of a guide are not the same, nor at the same constant place.
+fn guide_has_a_direction(
+    scope: &mut Scope<'_>,
+    name: &Ident,
+    carrier: Option<Carrier>,
+    through: &Through,
+    from: Option<&[Exact; 2]>,
+    course: &GuideDirection,
+) -> Option<()> {
+    let GuideDirection::Towards(to) = course else {
+        return Some(());
+    };
+    let same = matches!(through, Through::Point(point) if point == to);
+    let place = carrier.and_then(|carrier| scope.facts.place(*to, carrier));
+    let coincide = from
+        .zip(place)
+        .is_some_and(|(from, to)| from.iter().zip(to).all(|(from, to)| from.sub(to).is_zero()));
+    if !same && !coincide {
+        return Some(());
+    }
+    let message = format!("`{name}` has no direction; choose two points that differ");
+    let to = &scope.mechanism.points[to.index()].name;
+    let reason = match through {
+        Through::Point(from) if scope.mechanism.points[from.index()].name == *to => {
+            format!("it goes through `{to}` and towards `{to}`")
+        }
+        Through::Point(from) => {
+            format!("`{}` and `{to}` coincide", scope.mechanism.points[from.index()].name)
+        }
+        Through::At(_) => format!("it already goes through `{to}`"),
+    };
+    scope.diagnostics.error_because(name.span(), message, reason);
+    None
 }

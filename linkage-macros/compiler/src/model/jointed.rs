@@ -4,13 +4,14 @@ use crate::exact::Exact;
 use crate::syntax::anatomy::JointRule;
 use crate::syntax::tree;
 
-use super::Resolver;
 use super::dyads::{OuterJoint, Parts};
 use super::expressions::bare_name;
 use super::mechanism::{
     AngleSum, Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId,
     Scalar, Slideway,
 };
+use super::scope::Scope;
+use super::{assembly, modes, numbers, uses};
 
 /// The numbers that the fields of a group give, as far as they are right.
 pub(super) struct Dimensions {
@@ -46,163 +47,157 @@ impl Parts<'_> {
     }
 }
 
-impl Resolver<'_> {
-    /// The group with its joints, where everything that it is given is known.
-    pub(super) fn jointed(&mut self, parts: &Parts) -> Option<Group> {
-        let mut dimensions = self.dimensions(parts);
-        self.points_of_links(parts, &dimensions);
-        self.constants_can_be_assembled(parts, &dimensions)?;
-        let pin = if parts.has_pin() { Some(parts.pin?) } else { None };
-        let links: Vec<LinkId> = parts.links.iter().copied().collect::<Option<_>>()?;
-        let mut lengths = Vec::new();
-        for (index, length) in dimensions.lengths.drain(..).enumerate() {
-            let is_bar = parts.is_bar(index) && pin.is_some();
-            lengths.push(if is_bar { Some(length?) } else { None });
-        }
-        let mut offsets = dimensions.offsets.take()?.into_iter();
-        let has_slot = parts.has_field("slot");
-        let mut outer = Vec::new();
-        for (&joint, &link) in parts.outer.iter().zip(&links) {
-            // A link that a slot lies in is on its rail, and the slot beside it.
-            let mut offset = || if has_slot { None } else { offsets.next() };
-            outer.push(self.outer_joint(joint?, link, &mut offset));
-        }
-        if let Some(first) = outer.first_mut() {
-            first.drive = dimensions.drive(parts)?;
-        }
-        let inner = match pin {
-            Some(pin) if links.len() > 1 => on_pin(&links, pin),
-            None if links.len() > 1 => vec![dimensions.between(&links, has_slot, &mut offsets)?],
-            _ => Vec::new(),
+/// The group with its joints, where everything that it is given is known.
+pub(super) fn jointed(scope: &mut Scope<'_>, parts: &Parts) -> Option<Group> {
+    let mut dimensions = dimensions(scope, parts);
+    points_of_links(scope, parts, &dimensions);
+    assembly::constants_can_be_assembled(scope, parts, &dimensions)?;
+    let pin = if parts.has_pin() { Some(parts.pin?) } else { None };
+    let links: Vec<LinkId> = parts.links.iter().copied().collect::<Option<_>>()?;
+    let mut lengths = Vec::new();
+    for (index, length) in dimensions.lengths.drain(..).enumerate() {
+        let is_bar = parts.is_bar(index) && pin.is_some();
+        lengths.push(if is_bar { Some(length?) } else { None });
+    }
+    let mut offsets = dimensions.offsets.take()?.into_iter();
+    let has_slot = parts.has_field("slot");
+    let mut outer = Vec::new();
+    for (&joint, &link) in parts.outer.iter().zip(&links) {
+        // A link that a slot lies in is on its rail, and the slot beside it.
+        let mut offset = || if has_slot { None } else { offsets.next() };
+        outer.push(outer_joint(scope, joint?, link, &mut offset));
+    }
+    if let Some(first) = outer.first_mut() {
+        first.drive = dimensions.drive(parts)?;
+    }
+    let inner = match pin {
+        Some(pin) if links.len() > 1 => on_pin(&links, pin),
+        None if links.len() > 1 => vec![dimensions.between(&links, has_slot, &mut offsets)?],
+        _ => Vec::new(),
+    };
+    let (id, kind, assembly) = (parts.id, parts.anatomy.class?, dimensions.assembly?);
+    Some(Group { id, kind, links, outer, inner, pin, lengths, assembly })
+}
+
+fn dimensions(scope: &mut Scope<'_>, parts: &Parts) -> Dimensions {
+    let fields = &parts.fields;
+    Dimensions {
+        lengths: lengths_of_bars(scope, parts),
+        angle: fields.one("angle").and_then(|angle| numbers::turn(scope, angle)),
+        relative_to: match fields.one("relative_to") {
+            Some(value) => relative_to_is_a_body(scope, value),
+            None => fields.is_left_out("relative_to").then_some(Carrier::Ground),
+        },
+        slide: fields.one("slide").and_then(|slide| numbers::length(scope, slide)),
+        slot: fields.one("slot").and_then(|slot| numbers::turn(scope, slot)),
+        offsets: offsets(scope, parts),
+        assembly: match parts.anatomy.modes {
+            Some(_) => {
+                modes::mode(scope, parts.group, parts.anatomy, &parts.fields).map(Assembly::Signed)
+            }
+            None => Some(Assembly::Unique),
+        },
+    }
+}
+
+/// The field `length` is the first link's, `lengths` are both links'.
+fn lengths_of_bars(scope: &mut Scope<'_>, parts: &Parts) -> Vec<Option<Length>> {
+    let legs = parts.group.legs.iter().enumerate();
+    let lengths = legs.map(|(index, leg)| {
+        let length = match parts.fields.pair("lengths") {
+            Some(lengths) => lengths.get(index),
+            None => parts.fields.one("length").filter(|_| index == 0),
         };
-        let (id, kind, assembly) = (parts.id, parts.anatomy.class?, dimensions.assembly?);
-        Some(Group { id, kind, links, outer, inner, pin, lengths, assembly })
-    }
+        length.and_then(|length| bar_length(scope, length, &leg.link.to_string()))
+    });
+    lengths.collect()
+}
 
-    fn dimensions(&mut self, parts: &Parts) -> Dimensions {
-        let fields = &parts.fields;
-        Dimensions {
-            lengths: self.lengths_of_bars(parts),
-            angle: fields.one("angle").and_then(|angle| self.turn(angle)),
-            relative_to: match fields.one("relative_to") {
-                Some(value) => self.relative_to_is_a_body(value),
-                None => fields.is_left_out("relative_to").then_some(Carrier::Ground),
-            },
-            slide: fields.one("slide").and_then(|slide| self.length(slide)),
-            slot: fields.one("slot").and_then(|slot| self.turn(slot)),
-            offsets: self.offsets(parts),
-            assembly: match parts.anatomy.modes {
-                Some(_) => {
-                    self.mode(parts.group, parts.anatomy, &parts.fields).map(Assembly::Signed)
-                }
-                None => Some(Assembly::Unique),
-            },
-        }
-    }
+/// The length of a bar, positive as far as that is known.
+fn bar_length(scope: &mut Scope<'_>, expr: &tree::Expr, link: &str) -> Option<Length> {
+    let value = numbers::length(scope, expr)?;
+    numbers::length_is_positive(scope, expr, &value, &format!("the length of `{link}`"))?;
+    let name = match bare_name(expr) {
+        Some(name) => name.to_string(),
+        None => format!("length of {link}"),
+    };
+    Some(Length { value, name })
+}
 
-    /// The field `length` is the first link's, `lengths` are both links'.
-    fn lengths_of_bars(&mut self, parts: &Parts) -> Vec<Option<Length>> {
-        let legs = parts.group.legs.iter().enumerate();
-        let lengths = legs.map(|(index, leg)| {
-            let length = match parts.fields.pair("lengths") {
-                Some(lengths) => lengths.get(index),
-                None => parts.fields.one("length").filter(|_| index == 0),
-            };
-            length.and_then(|length| self.bar_length(length, &leg.link.to_string()))
-        });
-        lengths.collect()
-    }
-
-    /// The length of a bar, positive as far as that is known.
-    fn bar_length(&mut self, expr: &tree::Expr, link: &str) -> Option<Length> {
-        let value = self.length(expr)?;
-        self.length_is_positive(expr, &value, &format!("the length of `{link}`"))?;
-        let name = match bare_name(expr) {
-            Some(name) => name.to_string(),
-            None => format!("length of {link}"),
+/// The field `offset` or `offsets`, zero where it is not given.
+fn offsets(scope: &mut Scope<'_>, parts: &Parts) -> Option<Vec<Scalar>> {
+    let fields = &parts.fields;
+    if parts.has_field("offset") {
+        return match fields.one("offset") {
+            Some(offset) => Some(vec![numbers::length(scope, offset)?]),
+            None => fields.is_left_out("offset").then(|| vec![Scalar::zero()]),
         };
-        Some(Length { value, name })
     }
+    if !parts.has_field("offsets") {
+        return Some(Vec::new());
+    }
+    match fields.pair("offsets") {
+        Some(offsets) => numbers::lengths(scope, offsets).map(Vec::from),
+        None => fields.is_left_out("offsets").then(|| vec![Scalar::zero(), Scalar::zero()]),
+    }
+}
 
-    /// The field `offset` or `offsets`, zero where it is not given.
-    fn offsets(&mut self, parts: &Parts) -> Option<Vec<Scalar>> {
-        let fields = &parts.fields;
-        if parts.has_field("offset") {
-            return match fields.one("offset") {
-                Some(offset) => Some(vec![self.length(offset)?]),
-                None => fields.is_left_out("offset").then(|| vec![Scalar::zero()]),
-            };
-        }
-        if !parts.has_field("offsets") {
-            return Some(Vec::new());
-        }
-        match fields.pair("offsets") {
-            Some(offsets) => self.lengths(offsets).map(Vec::from),
-            None => fields.is_left_out("offsets").then(|| vec![Scalar::zero(), Scalar::zero()]),
+/// A crank's angle is relative to the ground or to a link.
+fn relative_to_is_a_body(scope: &mut Scope<'_>, value: &tree::Expr) -> Option<Carrier> {
+    match bare_name(value) {
+        Some(name) if name == "ground" => Some(Carrier::Ground),
+        Some(name) => uses::link(scope, name).map(Carrier::Link),
+        None => {
+            let message = "`relative_to` takes `ground` or the name of a link";
+            scope.diagnostics.error(value.span, message);
+            None
         }
     }
+}
 
-    /// A crank's angle is relative to the ground or to a link.
-    fn relative_to_is_a_body(&mut self, value: &tree::Expr) -> Option<Carrier> {
-        match bare_name(value) {
-            Some(name) if name == "ground" => Some(Carrier::Ground),
-            Some(name) => self.link(name).map(Carrier::Link),
-            None => {
-                let message = "`relative_to` takes `ground` or the name of a link";
-                self.diagnostics.error(value.span, message);
-                None
-            }
+/// The points of the group's links: their origins, the ends of bars, and a pin that stands
+/// still.
+fn points_of_links(scope: &mut Scope<'_>, parts: &Parts, dimensions: &Dimensions) {
+    for (index, length) in dimensions.lengths.iter().enumerate() {
+        if parts.is_bar(index) {
+            assembly::bar_is_made(scope, parts, index, length.as_ref());
+        } else if let (Some(link), Some(origin)) = (parts.link(index), parts.origin(index)) {
+            assembly::block_is_made(scope, link, origin);
         }
     }
+    let Some(pin) = parts.pin else { return };
+    let Dimensions { lengths, angle, relative_to, slide, offsets, .. } = dimensions;
+    if let (Some(OuterJoint::Point(pivot)), Some(Carrier::Ground), Some(angle), [Some(length)]) =
+        (parts.outer[0], relative_to, angle, &lengths[..])
+    {
+        assembly::pin_of_a_fixed_crank(scope, pivot, pin, angle, &length.value);
+    }
+    if let (Some(OuterJoint::Guide(guide)), Some(slide), Some([offset])) =
+        (parts.outer[0], slide, offsets.as_deref())
+    {
+        assembly::pin_of_a_fixed_slider(scope, guide, pin, slide, offset);
+    }
+}
 
-    /// The points of the group's links: their origins, the ends of bars, and a pin that stands
-    /// still.
-    fn points_of_links(&mut self, parts: &Parts, dimensions: &Dimensions) {
-        for (index, length) in dimensions.lengths.iter().enumerate() {
-            if parts.is_bar(index) {
-                self.bar_is_made(parts, index, length.as_ref());
-            } else if let (Some(link), Some(origin)) = (parts.link(index), parts.origin(index)) {
-                self.block_is_made(link, origin);
-            }
+fn outer_joint(
+    scope: &Scope<'_>,
+    joint: OuterJoint,
+    link: LinkId,
+    offset: &mut impl FnMut() -> Option<Scalar>,
+) -> Joint {
+    // After a mistake a missing body counts as the ground.
+    let mechanism = &scope.mechanism;
+    let (kind, on) = match joint {
+        OuterJoint::Point(point) => {
+            (JointKind::Revolute(point), mechanism.owner(point).unwrap_or(Body::Ground))
         }
-        let Some(pin) = parts.pin else { return };
-        let Dimensions { lengths, angle, relative_to, slide, offsets, .. } = dimensions;
-        if let (
-            Some(OuterJoint::Point(pivot)),
-            Some(Carrier::Ground),
-            Some(angle),
-            [Some(length)],
-        ) = (parts.outer[0], relative_to, angle, &lengths[..])
-        {
-            self.pin_of_a_fixed_crank(pivot, pin, angle, &length.value);
+        OuterJoint::Guide(guide) => {
+            let on = mechanism.course(guide).map_or(Carrier::Ground, |(carrier, _)| carrier);
+            let along = Slideway::Guide(guide);
+            (JointKind::Prismatic { along, offset: offset() }, on.into())
         }
-        if let (Some(OuterJoint::Guide(guide)), Some(slide), Some([offset])) =
-            (parts.outer[0], slide, offsets.as_deref())
-        {
-            self.pin_of_a_fixed_slider(guide, pin, slide, offset);
-        }
-    }
-
-    fn outer_joint(
-        &self,
-        joint: OuterJoint,
-        link: LinkId,
-        offset: &mut impl FnMut() -> Option<Scalar>,
-    ) -> Joint {
-        // After a mistake a missing body counts as the ground.
-        let mechanism = &self.mechanism;
-        let (kind, on) = match joint {
-            OuterJoint::Point(point) => {
-                (JointKind::Revolute(point), mechanism.owner(point).unwrap_or(Body::Ground))
-            }
-            OuterJoint::Guide(guide) => {
-                let on = mechanism.course(guide).map_or(Carrier::Ground, |(carrier, _)| carrier);
-                let along = Slideway::Guide(guide);
-                (JointKind::Prismatic { along, offset: offset() }, on.into())
-            }
-        };
-        Joint { kind, bodies: [on, Body::Link(link)], drive: None }
-    }
+    };
+    Joint { kind, bodies: [on, Body::Link(link)], drive: None }
 }
 
 /// Both links turn on the pin.

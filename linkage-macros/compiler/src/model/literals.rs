@@ -7,7 +7,6 @@ use crate::exact::Exact;
 use crate::syntax::tree::{self, BinaryOp, Declaration, ExprKind, UnitPower};
 use crate::syntax::words::UNITS;
 
-use super::Resolver;
 use super::dimension::Measure;
 use super::expressions::ResolvedExpr;
 use super::expressions::bare_name;
@@ -15,6 +14,7 @@ use super::folding::shown;
 use super::mechanism::{Dimension, ParamKind, Scalar};
 use super::names::NUMBERS;
 use super::references::expressions;
+use super::scope::Scope;
 use super::units::{is_beside_si, unit};
 use crate::reach::absolute;
 
@@ -27,272 +27,267 @@ const LONG: i64 = 100;
 /// times as long as it is; metres beside a small offset, as in `length: 1` and `offset: 2mm`, are meant.
 const MANY: i64 = 10;
 
-impl Resolver<'_> {
-    /// A literal is a number, and its units are among the known.
-    pub(super) fn literal(
-        &mut self,
-        span: Extent,
-        digits: &str,
-        units: &[UnitPower],
-    ) -> Option<ResolvedExpr> {
-        let value = Exact::decimal(digits);
-        self.number_can_be_held(span, value.as_ref())?;
-        let mut value = value?;
-        if units.is_empty() {
-            return Some(ResolvedExpr::constant(Measure::Bare, value));
-        }
-        let mut dimension = Dimension::NUMBER;
-        for (name, power) in units {
-            let Some((of_unit, factor)) = unit(name) else {
-                self.unit_exists(span, digits, name);
-                return None;
-            };
-            for _ in 0..power.unsigned_abs() {
-                let scaled = if *power > 0 { Some(value.mul(&factor)) } else { value.div(&factor) };
-                value = scaled.expect("no unit is zero");
-            }
-            dimension = dimension.times(of_unit, *power);
-        }
-        self.number_can_be_held(span, Some(&value))?;
-        self.facts.a_length_has_a_unit |= dimension.length != 0;
-        Some(ResolvedExpr::constant(Measure::Known(dimension), value))
+/// A literal is a number, and its units are among the known.
+pub(super) fn literal(
+    scope: &mut Scope<'_>,
+    span: Extent,
+    digits: &str,
+    units: &[UnitPower],
+) -> Option<ResolvedExpr> {
+    let value = Exact::decimal(digits);
+    number_can_be_held(scope, span, value.as_ref())?;
+    let mut value = value?;
+    if units.is_empty() {
+        return Some(ResolvedExpr::constant(Measure::Bare, value));
     }
-
-    /// Reports letters behind a number that are no unit.
-    fn unit_exists(&mut self, span: Extent, digits: &str, suffix: &str) {
-        if suffix == "pi" || self.names.of_kinds(&NUMBERS).any(|name| name == suffix) {
-            let message = format!("write `{digits} * {suffix}`");
-            let reason = "letters directly behind a number are its unit";
-            self.diagnostics.error_because(span, message, reason);
-            return;
-        }
-        let product = match suffix {
-            "Nm" => Some("N*m"),
-            "Nmm" => Some("N*mm"),
-            "kNm" => Some("kN*m"),
-            "Ns" => Some("N*s"),
-            _ => None,
+    let mut dimension = Dimension::NUMBER;
+    for (name, power) in units {
+        let Some((of_unit, factor)) = unit(name) else {
+            unit_exists(scope, span, digits, name);
+            return None;
         };
-        if let Some(product) = product {
-            let message = format!("write `{digits}({product})`");
-            let reason = "a product of units stands in parentheses";
-            self.diagnostics.error_because(span, message, reason);
-            return;
+        for _ in 0..power.unsigned_abs() {
+            let scaled = if *power > 0 { Some(value.mul(&factor)) } else { value.div(&factor) };
+            value = scaled.expect("no unit is zero");
         }
-        let mut message = format!("no unit named `{suffix}`");
-        // One letter is near to any two.
-        let known = UNITS.into_iter().filter(|unit| unit.len() > 1);
-        if let Some(near) = nearest(suffix, known) {
-            message += &format!("; a unit with a similar name exists: `{near}`");
-        }
-        let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g t`, forces \
-                      `N kN`, times `s ms`; products stand in parentheses, as in `15(N/m)`";
-        self.diagnostics.error_because(span, message, reason);
+        dimension = dimension.times(of_unit, *power);
     }
+    number_can_be_held(scope, span, Some(&value))?;
+    scope.facts.a_length_has_a_unit |= dimension.length != 0;
+    Some(ResolvedExpr::constant(Measure::Known(dimension), value))
+}
 
-    /// Reports `20N/mm`, whose `mm` would be the name of a number. Other products with it have no
-    /// meaning then.
-    pub(super) fn units_have_parentheses(
-        &mut self,
-        first: &tree::Expr,
-        rest: &[(BinaryOp, tree::Expr)],
-    ) -> Option<()> {
-        if let ExprKind::Negate(inner) = &first.kind {
-            return self.units_have_parentheses(inner, rest);
-        }
-        let ExprKind::Number { digits, units } = &first.kind else { return Some(()) };
-        let [(unit, 1)] = &units[..] else { return Some(()) };
-        let (mut product, mut last) = (unit.clone(), None);
-        for (operator, operand) in rest {
-            let sign = match operator {
-                BinaryOp::Mul => '*',
-                BinaryOp::Div => '/',
-                BinaryOp::Add | BinaryOp::Sub => break,
-            };
-            let is_unit = |name: &&Ident| {
-                UNITS.iter().any(|unit| name == unit) && self.names.symbol(name).is_none()
-            };
-            let Some(name) = bare_name(operand).filter(is_unit) else { break };
-            product += &format!("{sign}{name}");
-            last = Some(operand.span);
-        }
-        let Some(last) = last else { return Some(()) };
+/// Reports letters behind a number that are no unit.
+fn unit_exists(scope: &mut Scope<'_>, span: Extent, digits: &str, suffix: &str) {
+    if suffix == "pi" || scope.names.of_kinds(&NUMBERS).any(|name| name == suffix) {
+        let message = format!("write `{digits} * {suffix}`");
+        let reason = "letters directly behind a number are its unit";
+        scope.diagnostics.error_because(span, message, reason);
+        return;
+    }
+    let product = match suffix {
+        "Nm" => Some("N*m"),
+        "Nmm" => Some("N*mm"),
+        "kNm" => Some("kN*m"),
+        "Ns" => Some("N*s"),
+        _ => None,
+    };
+    if let Some(product) = product {
         let message = format!("write `{digits}({product})`");
         let reason = "a product of units stands in parentheses";
-        self.diagnostics.error_because(first.span.to(last), message, reason);
-        None
+        scope.diagnostics.error_because(span, message, reason);
+        return;
     }
+    let mut message = format!("no unit named `{suffix}`");
+    // One letter is near to any two.
+    let known = UNITS.into_iter().filter(|unit| unit.len() > 1);
+    if let Some(near) = nearest(suffix, known) {
+        message += &format!("; a unit with a similar name exists: `{near}`");
+    }
+    let reason = "lengths have `m mm cm um in`, angles `rad deg turn`, masses `kg g t`, forces \
+                  `N kN`, times `s ms`; products stand in parentheses, as in `15(N/m)`";
+    scope.diagnostics.error_because(span, message, reason);
+}
 
-    /// A constant has no more digits than can be reckoned with exactly.
-    pub(super) fn number_is_of_a_length(
-        &mut self,
-        span: Extent,
-        value: Option<&Exact>,
-    ) -> Option<()> {
-        if !value.is_some_and(Exact::is_too_long) {
-            return Some(());
+/// Reports `20N/mm`, whose `mm` would be the name of a number. Other products with it have no
+/// meaning then.
+pub(super) fn units_have_parentheses(
+    scope: &mut Scope<'_>,
+    first: &tree::Expr,
+    rest: &[(BinaryOp, tree::Expr)],
+) -> Option<()> {
+    if let ExprKind::Negate(inner) = &first.kind {
+        return units_have_parentheses(scope, inner, rest);
+    }
+    let ExprKind::Number { digits, units } = &first.kind else { return Some(()) };
+    let [(unit, 1)] = &units[..] else { return Some(()) };
+    let (mut product, mut last) = (unit.clone(), None);
+    for (operator, operand) in rest {
+        let sign = match operator {
+            BinaryOp::Mul => '*',
+            BinaryOp::Div => '/',
+            BinaryOp::Add | BinaryOp::Sub => break,
+        };
+        let is_unit = |name: &&Ident| {
+            UNITS.iter().any(|unit| name == unit) && scope.names.symbol(name).is_none()
+        };
+        let Some(name) = bare_name(operand).filter(is_unit) else { break };
+        product += &format!("{sign}{name}");
+        last = Some(operand.span);
+    }
+    let Some(last) = last else { return Some(()) };
+    let message = format!("write `{digits}({product})`");
+    let reason = "a product of units stands in parentheses";
+    scope.diagnostics.error_because(first.span.to(last), message, reason);
+    None
+}
+
+/// A constant has no more digits than can be reckoned with exactly.
+pub(super) fn number_is_of_a_length(
+    scope: &mut Scope<'_>,
+    span: Extent,
+    value: Option<&Exact>,
+) -> Option<()> {
+    if !value.is_some_and(Exact::is_too_long) {
+        return Some(());
+    }
+    let message = "a number of more than 1200 digits; write it rounded";
+    let reason = "constants are exact: a product has the digits of both its factors";
+    scope.diagnostics.error_because(span, message, reason);
+    None
+}
+
+/// A constant is one that floating point can hold: neither infinite nor lost as zero.
+pub(super) fn number_can_be_held(
+    scope: &mut Scope<'_>,
+    span: Extent,
+    value: Option<&Exact>,
+) -> Option<()> {
+    number_is_of_a_length(scope, span, value)?;
+    let is_held = value.is_some_and(|value| {
+        let rounded = value.to_f64();
+        rounded.is_finite() && (rounded == 0.0) == value.is_zero()
+    });
+    if is_held {
+        return Some(());
+    }
+    let message = "a number too large or too small; change its exponent";
+    let reason = "`f64` holds numbers between 1e-308 and 1e308";
+    scope.diagnostics.error_because(span, message, reason);
+    None
+}
+
+/// The correction of a number whose letters are both its unit and a declared name: `2s`.
+pub(super) fn name_taken_for_a_unit(scope: &Scope<'_>, expr: &tree::Expr) -> Option<String> {
+    let ExprKind::Number { digits, units } = &expr.kind else { return None };
+    let [(unit, 1)] = &units[..] else { return None };
+    let declared = scope.names.of_kinds(&NUMBERS).any(|name| name == unit);
+    declared.then(|| {
+        format!("letters directly behind a number are its unit; write `{digits} * {unit}`")
+    })
+}
+
+/// A number without a unit that is used as an angle is at most a full turn: more is a
+/// forgotten `deg`.
+pub(super) fn bare_angle_is_within_a_turn(
+    scope: &mut Scope<'_>,
+    at: Extent,
+    quantity: &ResolvedExpr,
+) -> Option<()> {
+    if quantity.measure != Measure::Bare {
+        return Some(());
+    }
+    let (value, span) = match &quantity.rest {
+        Scalar::Constant(value) => (value.clone(), at),
+        Scalar::Param(id) => {
+            let facts = &mut scope.facts.params[id.index()];
+            let ParamKind::Number { default, .. } = &scope.mechanism.params[id.index()].kind else {
+                return Some(());
+            };
+            if facts.blamed {
+                return None;
+            }
+            facts.blamed = !within_a_turn(default);
+            (default.clone(), facts.span)
         }
-        let message = "a number of more than 1200 digits; write it rounded";
-        let reason = "constants are exact: a product has the digits of both its factors";
-        self.diagnostics.error_because(span, message, reason);
-        None
+        _ => return Some(()),
+    };
+    if within_a_turn(&value) {
+        return Some(());
     }
+    let value = shown(&value);
+    let message = format!("an angle of {value} without a unit; write `{value}deg`");
+    let reason = format!("a bare number is SI; if radians are meant, write `{value}rad`");
+    scope.diagnostics.error_because(span, message, reason);
+    None
+}
 
-    /// A constant is one that floating point can hold: neither infinite nor lost as zero.
-    pub(super) fn number_can_be_held(&mut self, span: Extent, value: Option<&Exact>) -> Option<()> {
-        self.number_is_of_a_length(span, value)?;
-        let is_held = value.is_some_and(|value| {
-            let rounded = value.to_f64();
-            rounded.is_finite() && (rounded == 0.0) == value.is_zero()
-        });
-        if is_held {
-            return Some(());
-        }
-        let message = "a number too large or too small; change its exponent";
-        let reason = "`f64` holds numbers between 1e-308 and 1e308";
-        self.diagnostics.error_because(span, message, reason);
-        None
+/// A number without a unit is SI: beside `10mm` or `90deg` it looks like a forgotten unit.
+pub(super) fn no_bare_number_beside_a_unit(
+    scope: &mut Scope<'_>,
+    first: &tree::Expr,
+    rest: &[(BinaryOp, tree::Expr)],
+    measure: Measure,
+) -> Option<()> {
+    let is_sum = matches!(rest.first(), Some((BinaryOp::Add | BinaryOp::Sub, _)));
+    let operands = || std::iter::once(first).chain(rest.iter().map(|(_, operand)| operand));
+    let (si, other, dimension) = match measure {
+        Measure::LENGTH => (["m", "metres"], "mm", Dimension::LENGTH),
+        Measure::ANGLE => (["rad", "radians"], "deg", Dimension::ANGLE),
+        _ => return Some(()),
+    };
+    if !is_sum || !operands().any(|operand| is_measured_in(operand, dimension)) {
+        return Some(());
     }
+    let Some((expr, digits)) = operands().find_map(|operand| Some((operand, bare(operand)?)))
+    else {
+        return Some(());
+    };
+    let message = format!("write the unit of `{digits}`: `{digits}{other}` or `{digits}{}`", si[0]);
+    let reason = format!("a number without a unit is in {}", si[1]);
+    scope.diagnostics.error_because(expr.span, message, reason);
+    None
+}
 
-    /// The correction of a number whose letters are both its unit and a declared name: `2s`.
-    pub(super) fn name_taken_for_a_unit(&self, expr: &tree::Expr) -> Option<String> {
-        let ExprKind::Number { digits, units } = &expr.kind else { return None };
-        let [(unit, 1)] = &units[..] else { return None };
-        let declared = self.names.of_kinds(&NUMBERS).any(|name| name == unit);
-        declared.then(|| {
-            format!("letters directly behind a number are its unit; write `{digits} * {unit}`")
-        })
+/// A length without a unit is in metres: among millimetres, one that is many times as long as all
+/// others has lost its unit. Remembers the longest for declarations without units.
+pub(super) fn bare_length_is_as_others(
+    scope: &mut Scope<'_>,
+    span: Extent,
+    quantity: &ResolvedExpr,
+) -> Option<()> {
+    if quantity.measure != Measure::Bare {
+        return Some(());
     }
-
-    /// A number without a unit that is used as an angle is at most a full turn: more is a
-    /// forgotten `deg`.
-    pub(super) fn bare_angle_is_within_a_turn(
-        &mut self,
-        at: Extent,
-        quantity: &ResolvedExpr,
-    ) -> Option<()> {
-        if quantity.measure != Measure::Bare {
-            return Some(());
-        }
-        let (value, span) = match &quantity.rest {
-            Scalar::Constant(value) => (value.clone(), at),
-            Scalar::Param(id) => {
-                let facts = &mut self.facts.params[id.index()];
-                let ParamKind::Number { default, .. } = &self.mechanism.params[id.index()].kind
-                else {
-                    return Some(());
-                };
-                if facts.blamed {
-                    return None;
-                }
-                facts.blamed = !within_a_turn(default);
-                (default.clone(), facts.span)
+    let (value, span, param) = match &quantity.rest {
+        Scalar::Constant(value) => (value, span, None),
+        Scalar::Param(id) => match &scope.mechanism.params[id.index()].kind {
+            ParamKind::Number { default, .. } => {
+                (default, scope.facts.params[id.index()].span, Some(*id))
             }
             _ => return Some(()),
-        };
-        if within_a_turn(&value) {
-            return Some(());
+        },
+        _ => return Some(()),
+    };
+    let value = absolute(value);
+    let many = Exact::integer(MANY);
+    let longest = scope.facts.longest_in_small_units.as_ref();
+    let is_as_others = longest.is_none_or(|longest| {
+        value.cmp_value(&many).is_lt() || value.cmp_value(&longest.mul(&many)).is_lt()
+    });
+    if !is_as_others {
+        let is_told = param
+            .is_some_and(|id| std::mem::replace(&mut scope.facts.params[id.index()].blamed, true));
+        if !is_told {
+            length_needs_its_unit(scope, span, &value, "every length with a unit is much shorter");
         }
-        let value = shown(&value);
-        let message = format!("an angle of {value} without a unit; write `{value}deg`");
-        let reason = format!("a bare number is SI; if radians are meant, write `{value}rad`");
-        self.diagnostics.error_because(span, message, reason);
-        None
+        return None;
     }
+    let longest = scope.facts.longest_bare_length.as_ref();
+    if longest.is_none_or(|(longest, _)| value.cmp_value(longest).is_gt()) {
+        scope.facts.longest_bare_length = Some((value, span));
+    }
+    Some(())
+}
 
-    /// A number without a unit is SI: beside `10mm` or `90deg` it looks like a forgotten unit.
-    pub(super) fn no_bare_number_beside_a_unit(
-        &mut self,
-        first: &tree::Expr,
-        rest: &[(BinaryOp, tree::Expr)],
-        measure: Measure,
-    ) -> Option<()> {
-        let is_sum = matches!(rest.first(), Some((BinaryOp::Add | BinaryOp::Sub, _)));
-        let operands = || std::iter::once(first).chain(rest.iter().map(|(_, operand)| operand));
-        let (si, other, dimension) = match measure {
-            Measure::LENGTH => (["m", "metres"], "mm", Dimension::LENGTH),
-            Measure::ANGLE => (["rad", "radians"], "deg", Dimension::ANGLE),
-            _ => return Some(()),
-        };
-        if !is_sum || !operands().any(|operand| is_measured_in(operand, dimension)) {
-            return Some(());
-        }
-        let Some((expr, digits)) = operands().find_map(|operand| Some((operand, bare(operand)?)))
-        else {
-            return Some(());
-        };
-        let message =
-            format!("write the unit of `{digits}`: `{digits}{other}` or `{digits}{}`", si[0]);
-        let reason = format!("a number without a unit is in {}", si[1]);
-        self.diagnostics.error_because(expr.span, message, reason);
-        None
-    }
+fn length_needs_its_unit(scope: &mut Scope<'_>, span: Extent, length: &Exact, others: &str) {
+    let length = shown(length);
+    let message =
+        format!("a length of {length} m; write `{length}mm`, or `{length}m` if it is meant");
+    let reason = format!("{others}, and a bare number is in metres");
+    scope.diagnostics.error_because(span, message, reason);
+}
 
-    /// A length without a unit is in metres: among millimetres, one that is many times as long as all
-    /// others has lost its unit. Remembers the longest for declarations without units.
-    pub(super) fn bare_length_is_as_others(
-        &mut self,
-        span: Extent,
-        quantity: &ResolvedExpr,
-    ) -> Option<()> {
-        if quantity.measure != Measure::Bare {
-            return Some(());
-        }
-        let (value, span, param) = match &quantity.rest {
-            Scalar::Constant(value) => (value, span, None),
-            Scalar::Param(id) => match &self.mechanism.params[id.index()].kind {
-                ParamKind::Number { default, .. } => {
-                    (default, self.facts.params[id.index()].span, Some(*id))
-                }
-                _ => return Some(()),
-            },
-            _ => return Some(()),
-        };
-        let value = absolute(value);
-        let many = Exact::integer(MANY);
-        let longest = self.facts.longest_in_small_units.as_ref();
-        let is_as_others = longest.is_none_or(|longest| {
-            value.cmp_value(&many).is_lt() || value.cmp_value(&longest.mul(&many)).is_lt()
-        });
-        if !is_as_others {
-            let is_told = param.is_some_and(|id| {
-                std::mem::replace(&mut self.facts.params[id.index()].blamed, true)
-            });
-            if !is_told {
-                self.length_needs_its_unit(
-                    span,
-                    &value,
-                    "every length with a unit is much shorter",
-                );
-            }
-            return None;
-        }
-        let longest = self.facts.longest_bare_length.as_ref();
-        if longest.is_none_or(|(longest, _)| value.cmp_value(longest).is_gt()) {
-            self.facts.longest_bare_length = Some((value, span));
-        }
-        Some(())
+/// A declaration whose lengths have no units at all has none that only millimetres explain.
+pub(super) fn bare_lengths_are_of_a_machine(scope: &mut Scope<'_>) {
+    let Some((length, span)) = &scope.facts.longest_bare_length else {
+        return;
+    };
+    if scope.facts.a_length_has_a_unit || length.cmp_value(&Exact::integer(LONG)).is_lt() {
+        return;
     }
-
-    fn length_needs_its_unit(&mut self, span: Extent, length: &Exact, others: &str) {
-        let length = shown(length);
-        let message =
-            format!("a length of {length} m; write `{length}mm`, or `{length}m` if it is meant");
-        let reason = format!("{others}, and a bare number is in metres");
-        self.diagnostics.error_because(span, message, reason);
-    }
-
-    /// A declaration whose lengths have no units at all has none that only millimetres explain.
-    pub(super) fn bare_lengths_are_of_a_machine(&mut self) {
-        let Some((length, span)) = &self.facts.longest_bare_length else {
-            return;
-        };
-        if self.facts.a_length_has_a_unit || length.cmp_value(&Exact::integer(LONG)).is_lt() {
-            return;
-        }
-        let (length, span) = (length.clone(), *span);
-        self.length_needs_its_unit(span, &length, "no length of this declaration has a unit");
-    }
+    let (length, span) = (length.clone(), *span);
+    length_needs_its_unit(scope, span, &length, "no length of this declaration has a unit");
 }
 
 /// The longest length with a unit, where each of them is in a unit smaller than a metre.

@@ -13,6 +13,7 @@
 pub(crate) mod acting;
 mod actions;
 mod assembly;
+mod calls;
 mod class_three;
 mod coincidence;
 mod contacts;
@@ -38,6 +39,7 @@ mod inputs;
 mod jointed;
 mod laws;
 mod left_out;
+mod link_efforts;
 mod literals;
 mod masses;
 pub(crate) mod mechanism;
@@ -52,6 +54,7 @@ mod readings;
 mod references;
 mod relations;
 mod rotatability;
+mod scope;
 mod searched;
 mod settings;
 mod solves;
@@ -66,17 +69,12 @@ mod uses;
 #[cfg(test)]
 mod tests;
 
-use std::collections::HashSet;
-
-use proc_macro2::Ident;
-
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Declaration, Statement, StatementKind, Unread};
+use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
 pub(crate) use driving_load::load_does_no_work;
-use facts::Facts;
-use mechanism::{Mechanism, References};
-use names::{Names, TooEarly};
+use mechanism::Mechanism;
+use scope::Scope;
 
 /// The stub of a declaration in which something was reported.
 pub(crate) struct Stub(pub Box<Mechanism>);
@@ -91,10 +89,10 @@ pub(crate) fn resolve(
         let resolved = drawn::resolve(tree, diagnostics).filter(|_| diagnostics.count() == 0);
         return resolved.ok_or_else(|| Stub(Box::new(stub_of_drawing(tree, diagnostics))));
     }
-    let resolver = walked(tree, diagnostics, None);
-    match resolver.diagnostics.count() {
-        0 => Ok(resolver.mechanism),
-        _ => Err(Stub(Box::new(resolver.stub(tree)))),
+    let scope = walked(tree, diagnostics, None);
+    match scope.diagnostics.count() {
+        0 => Ok(scope.mechanism),
+        _ => Err(Stub(Box::new(stub::stub(scope, tree)))),
     }
 }
 
@@ -104,7 +102,7 @@ pub(crate) fn stub(tree: &Declaration) -> Mechanism {
     let mut diagnostics = Diagnostics::new();
     let stub = match drawn::is_drawn(tree) {
         true => stub_of_drawing(tree, &mut diagnostics),
-        false => walked(tree, &mut diagnostics, None).stub(tree),
+        false => stub::stub(walked(tree, &mut diagnostics, None), tree),
     };
     drop(diagnostics.into_mistakes());
     stub
@@ -113,9 +111,9 @@ pub(crate) fn stub(tree: &Declaration) -> Mechanism {
 /// The stub of a drawing, which may not be one of drivers and groups. Mistakes were reported.
 fn stub_of_drawing(tree: &Declaration, diagnostics: &mut Diagnostics) -> Mechanism {
     let reported = diagnostics.count();
-    let mut resolver = Resolver::new(tree, &tree.unread, diagnostics);
-    resolver.statements(tree);
-    let stub = resolver.stub(tree);
+    let mut scope = Scope::new(tree, &tree.unread, diagnostics);
+    statements(&mut scope, tree);
+    let stub = stub::stub(scope, tree);
     diagnostics.forget_since(reported);
     stub
 }
@@ -126,8 +124,8 @@ fn resolve_groups(
     diagnostics: &mut Diagnostics,
     turned: &[drawn::TurnedFrame],
 ) -> Option<Mechanism> {
-    let resolver = walked(tree, diagnostics, Some(turned));
-    (resolver.diagnostics.count() == 0).then_some(resolver.mechanism)
+    let scope = walked(tree, diagnostics, Some(turned));
+    (scope.diagnostics.count() == 0).then_some(scope.mechanism)
 }
 
 /// Every statement and every rule; of a drawing, `turned` links with the frames that they are written in.
@@ -135,126 +133,66 @@ fn walked<'d>(
     tree: &'d Declaration,
     diagnostics: &'d mut Diagnostics,
     turned: Option<&[drawn::TurnedFrame]>,
-) -> Resolver<'d> {
-    let mut resolver = Resolver::new(tree, &tree.unread, diagnostics);
-    resolver.statements(tree);
-    resolver.every_unknown_is_solved(tree);
-    resolver.frictions(tree);
-    resolver.outputs(tree);
-    resolver.statements_are_in_order(tree);
-    resolver.bare_lengths_are_of_a_machine();
-    resolver.an_input_is_declared(tree);
-    resolver.every_input_is_used(tree, turned.is_some());
-    resolver.actions_have_an_effect(tree);
-    resolver.mechanism.rotatabilities = rotatability::rotatabilities(&resolver.mechanism);
-    resolver.cranks_can_turn();
-    resolver.ends_can_be_assembled();
-    resolver.directions_are_as_written(turned.unwrap_or_default());
-    resolver
+) -> Scope<'d> {
+    let mut scope = Scope::new(tree, &tree.unread, diagnostics);
+    statements(&mut scope, tree);
+    unknowns::every_unknown_is_solved(&mut scope, tree);
+    contacts::frictions(&mut scope, tree);
+    outputs::outputs(&mut scope, tree);
+    order::statements_are_in_order(&mut scope, tree);
+    literals::bare_lengths_are_of_a_machine(&mut scope);
+    inputs::an_input_is_declared(&mut scope, tree);
+    inputs::every_input_is_used(&mut scope, tree, turned.is_some());
+    actions::actions_have_an_effect(&mut scope, tree);
+    scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);
+    rotatability::cranks_can_turn(&mut scope);
+    unknowns::ends_can_be_assembled(&mut scope);
+    drawn::directions_are_as_written(&mut scope, turned.unwrap_or_default());
+    scope
 }
 
-/// The state of the resolver while it walks the statements.
-struct Resolver<'d> {
-    diagnostics: &'d mut Diagnostics,
-    /// The tokens that the parser gave up. Nothing is known of a name among them.
-    unread: &'d Unread,
-    names: Names,
-    mechanism: Mechanism,
-    facts: Facts,
-    /// Names used before they are made.
-    too_early: Vec<TooEarly>,
-    /// True if a mistake may have hidden the use of an input.
-    use_is_hidden: bool,
-    /// True if an expression names a number that nothing declares.
-    number_is_unknown: bool,
-    /// Names that nothing declares, and that were reported.
-    reported_unknown: HashSet<String>,
-    /// Where gravity is given.
-    gravity_at: Option<proc_macro2::Span>,
-    /// The load that drives an input.
-    driving: Option<String>,
-    /// The names behind `solve`.
-    solved: HashSet<String>,
-    /// The pins of a drawing, which are resolved as points that stand still.
-    pins: HashSet<String>,
-}
-
-impl<'d> Resolver<'d> {
-    fn new(tree: &Declaration, unread: &'d Unread, diagnostics: &'d mut Diagnostics) -> Self {
-        Self {
-            diagnostics,
-            unread,
-            names: Names::collect(tree),
-            mechanism: empty(tree),
-            facts: Facts::of(tree),
-            too_early: Vec::new(),
-            use_is_hidden: false,
-            number_is_unknown: false,
-            reported_unknown: HashSet::new(),
-            gravity_at: None,
-            driving: driving_load::named_by(tree).map(Ident::to_string),
-            solved: tree.statements.iter().filter_map(solved).collect(),
-            pins: HashSet::new(),
-        }
+fn statements(scope: &mut Scope<'_>, tree: &Declaration) {
+    for (index, next) in tree.statements.iter().enumerate() {
+        scope.names.go_to(index);
+        statement(scope, next);
+        unknowns::note_what_follows(scope, next);
     }
+    scope.names.go_to(tree.statements.len());
 }
 
-impl Resolver<'_> {
-    fn statements(&mut self, tree: &Declaration) {
-        for (index, statement) in tree.statements.iter().enumerate() {
-            self.names.go_to(index);
-            self.statement(statement);
-            self.note_what_follows(statement);
-        }
-        self.names.go_to(tree.statements.len());
-    }
-
-    fn statement(&mut self, statement: &Statement) {
-        let docs = &statement.docs;
-        // What a statement makes moves if anything that it uses does.
-        let moves = self.uses(statement, |resolver, entity| resolver.facts.moves(entity));
-        match &statement.kind {
-            StatementKind::Input { names, kind } => self.input(docs, names, kind.as_ref()),
-            StatementKind::Param { name, kind, default } => {
-                self.param(docs, name, kind.as_ref(), default);
-            }
-            StatementKind::Let { name, value } => self.named_expression(name, value, moves),
-            StatementKind::Unknown { name, kind, between } => {
-                self.unknown(docs, name, kind.as_ref(), between.as_ref());
-            }
-            StatementKind::Solve(solve) => self.solve(solve),
-            StatementKind::Ground { points } => self.ground(docs, points),
-            StatementKind::Guide { name, on, through, course } => {
-                self.guide_line(name, on.as_ref(), through, course, moves);
-            }
-            StatementKind::Point { name, on, place } => {
-                self.placed_point(docs, name, on.as_ref(), place, moves);
-            }
-            StatementKind::Group(group) => self.group(docs, group, moves),
-            // Outputs may name anything, wherever they stand: they come last. Drawn links were made
-            // into groups.
-            StatementKind::Output { .. }
-            | StatementKind::Pin { .. }
-            | StatementKind::Link { .. }
-            | StatementKind::Drive(_) => {}
-            StatementKind::DriveBy { input, load } => self.drive_by(input, load),
-            StatementKind::Load { names, kind } => self.load(docs, names, kind.as_ref()),
-            StatementKind::Action(action) => self.action(docs, action),
-            StatementKind::Numerics { mode } => self.numerics(mode),
-            StatementKind::Crate { path } => self.crate_path(path),
-            StatementKind::Export { language } => self.export(language),
-        }
-    }
-}
-
-fn solved(statement: &Statement) -> Option<String> {
+fn statement(scope: &mut Scope<'_>, statement: &Statement) {
+    let docs = &statement.docs;
+    // What a statement makes moves if anything that it uses does.
+    let moves = uses::uses(scope, statement, |scope, entity| scope.facts.moves(entity));
     match &statement.kind {
-        StatementKind::Solve(solve) => Some(solve.unknown.to_string()),
-        _ => None,
+        StatementKind::Input { names, kind } => inputs::input(scope, docs, names, kind.as_ref()),
+        StatementKind::Param { name, kind, default } => {
+            inputs::param(scope, docs, name, kind.as_ref(), default);
+        }
+        StatementKind::Let { name, value } => laws::named_expression(scope, name, value, moves),
+        StatementKind::Unknown { name, kind, between } => {
+            unknowns::unknown(scope, docs, name, kind.as_ref(), between.as_ref());
+        }
+        StatementKind::Solve(solve) => solves::solve(scope, solve),
+        StatementKind::Ground { points } => points::ground(scope, docs, points),
+        StatementKind::Guide { name, on, through, course } => {
+            guides::guide_line(scope, name, on.as_ref(), through, course, moves);
+        }
+        StatementKind::Point { name, on, place } => {
+            points::placed_point(scope, docs, name, on.as_ref(), place, moves);
+        }
+        StatementKind::Group(group) => dyads::group(scope, docs, group, moves),
+        // Outputs may name anything, wherever they stand: they come last. Drawn links were made
+        // into groups.
+        StatementKind::Output { .. }
+        | StatementKind::Pin { .. }
+        | StatementKind::Link { .. }
+        | StatementKind::Drive(_) => {}
+        StatementKind::DriveBy { input, load } => driving_load::drive_by(scope, input, load),
+        StatementKind::Load { names, kind } => actions::load(scope, docs, names, kind.as_ref()),
+        StatementKind::Action(action) => actions::action(scope, docs, action),
+        StatementKind::Numerics { mode } => settings::numerics(scope, mode),
+        StatementKind::Crate { path } => settings::crate_path(scope, path),
+        StatementKind::Export { language } => settings::export(scope, language),
     }
-}
-
-fn empty(tree: &Declaration) -> Mechanism {
-    let empty = Mechanism::empty(tree.docs.clone(), tree.visibility.clone(), tree.name.clone());
-    Mechanism { references: References::of(tree), ..empty }
 }

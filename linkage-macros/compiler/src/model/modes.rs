@@ -5,11 +5,12 @@ use proc_macro2::Ident;
 use crate::diagnostics::nearest;
 use crate::syntax::tree::{Expr, GroupStatement};
 
-use super::Resolver;
 use super::expressions::bare_name;
 use super::fields::Fields;
 use super::mechanism::{Mode, ParamKind, Sign};
 use super::names::{Entity, Kind};
+use super::scope::Scope;
+use super::uses;
 use crate::syntax::anatomy::{GroupSpec, Modes};
 
 impl Modes {
@@ -53,139 +54,145 @@ fn is_slide(group: &GroupStatement) -> bool {
     GroupSpec::of(&group.keyword.to_string()).is_some_and(GroupSpec::has_inner_slide)
 }
 
-impl Resolver<'_> {
-    /// The mode of a group that has modes.
-    pub(super) fn mode(
-        &mut self,
-        group: &GroupStatement,
-        anatomy: &GroupSpec,
-        fields: &Fields,
-    ) -> Option<Mode> {
-        let modes = anatomy.modes?;
-        let Some(value) = fields.one("mode") else {
-            let is_default = !anatomy.mode_is_needed() && fields.is_left_out("mode");
-            return is_default.then_some(Mode::Fixed(Sign::Plus));
-        };
-        let Some(word) = bare_name(value) else {
-            let message = "a mode is one word";
-            let reason = self.modes_explained(modes, group);
-            self.diagnostics.error_because(value.span, message, reason);
-            return None;
-        };
-        if let Some(sign) = modes.sign(&word.to_string()) {
-            return Some(Mode::Fixed(sign));
-        }
-        let is_another = |other: &Modes| *other != modes && other.sign(&word.to_string()).is_some();
-        if [Modes::Side, Modes::Sense].iter().any(is_another) {
-            let message = format!("`{word}` is no mode of `{}`", group.keyword);
-            let reason = self.modes_explained(modes, group);
-            self.diagnostics.error_because(word.span(), message, reason);
-            return None;
-        }
-        self.mode_param(word, modes, group)
+/// The mode of a group that has modes.
+pub(super) fn mode(
+    scope: &mut Scope<'_>,
+    group: &GroupStatement,
+    anatomy: &GroupSpec,
+    fields: &Fields,
+) -> Option<Mode> {
+    let modes = anatomy.modes?;
+    let Some(value) = fields.one("mode") else {
+        let is_default = !anatomy.mode_is_needed() && fields.is_left_out("mode");
+        return is_default.then_some(Mode::Fixed(Sign::Plus));
+    };
+    let Some(word) = bare_name(value) else {
+        let message = "a mode is one word";
+        let reason = modes_explained(modes, group);
+        scope.diagnostics.error_because(value.span, message, reason);
+        return None;
+    };
+    if let Some(sign) = modes.sign(&word.to_string()) {
+        return Some(Mode::Fixed(sign));
     }
+    let is_another = |other: &Modes| *other != modes && other.sign(&word.to_string()).is_some();
+    if [Modes::Side, Modes::Sense].iter().any(is_another) {
+        let message = format!("`{word}` is no mode of `{}`", group.keyword);
+        let reason = modes_explained(modes, group);
+        scope.diagnostics.error_because(word.span(), message, reason);
+        return None;
+    }
+    mode_param(scope, word, modes, group)
+}
 
-    /// A mode given by name is a mode parameter of the group's own kind.
-    fn mode_param(&mut self, word: &Ident, modes: Modes, group: &GroupStatement) -> Option<Mode> {
-        if self.names.kind(word) != Some(Kind::Param) {
-            if !self.unread.may_hold(&word.to_string()) {
-                self.mode_exists(word, modes, group);
-            }
-            return None;
+/// A mode given by name is a mode parameter of the group's own kind.
+fn mode_param(
+    scope: &mut Scope<'_>,
+    word: &Ident,
+    modes: Modes,
+    group: &GroupStatement,
+) -> Option<Mode> {
+    if scope.names.kind(word) != Some(Kind::Param) {
+        if !scope.unread.may_hold(&word.to_string()) {
+            mode_exists(scope, word, modes, group);
         }
-        let Entity::Param(id) = self.usable(word, &[Kind::Param])? else {
-            return None;
-        };
-        match (&self.mechanism.params[id.index()].kind, modes) {
-            (ParamKind::Mode { of, .. }, _) if *of == modes => Some(Mode::Param(id)),
-            (ParamKind::Number { .. }, _) => {
-                let message = format!("`{word}` is a number, not a mode");
-                let [plus, _] = modes.words();
-                let reason = format!("write `param {word}: mode = {plus};`");
-                self.diagnostics.error_because(word.span(), message, reason);
-                None
-            }
-            (kind, _) => {
-                let [plus, minus] = words_of(kind);
-                let message =
-                    format!("`{word}` is `{plus}` or `{minus}`, no mode of `{}`", group.keyword);
-                let reason = self.modes_explained(modes, group);
-                self.diagnostics.error_because(word.span(), message, reason);
-                None
-            }
+        return None;
+    }
+    let Entity::Param(id) = uses::usable(scope, word, &[Kind::Param])? else {
+        return None;
+    };
+    match (&scope.mechanism.params[id.index()].kind, modes) {
+        (ParamKind::Mode { of, .. }, _) if *of == modes => Some(Mode::Param(id)),
+        (ParamKind::Number { .. }, _) => {
+            let message = format!("`{word}` is a number, not a mode");
+            let [plus, _] = modes.words();
+            let reason = format!("write `param {word}: mode = {plus};`");
+            scope.diagnostics.error_because(word.span(), message, reason);
+            None
+        }
+        (kind, _) => {
+            let [plus, minus] = words_of(kind);
+            let message =
+                format!("`{word}` is `{plus}` or `{minus}`, no mode of `{}`", group.keyword);
+            let reason = modes_explained(modes, group);
+            scope.diagnostics.error_because(word.span(), message, reason);
+            None
         }
     }
+}
 
-    /// Reports a word that is no mode at all.
-    fn mode_exists(&mut self, word: &Ident, modes: Modes, group: &GroupStatement) {
-        let text = word.to_string();
-        let known = modes.words().into_iter().chain(self.names.of_kinds(&[Kind::Param]));
-        let message = match nearest(&text, known) {
-            Some(near) => {
-                format!("no mode named `{text}`; a mode with a similar name exists: `{near}`")
-            }
-            None => {
-                let [plus, minus] = modes.words();
-                format!("no mode named `{text}`; write `{plus}` or `{minus}`")
-            }
-        };
-        let reason = self.modes_explained(modes, group);
-        self.diagnostics.error_because(word.span(), message, reason);
-    }
-
-    /// Both modes in the names of the group at hand.
-    pub(super) fn modes_explained(&self, modes: Modes, group: &GroupStatement) -> String {
-        let joint = |i: usize| {
-            let joint = group.legs.get(i).and_then(|leg| leg.joint.as_ref());
-            joint.map_or("the outer joint".into(), |joint| format!("`{joint}`"))
-        };
-        let pin = group.pin.as_ref().map_or("the pin".into(), |pin| format!("`{pin}`"));
-        match modes {
-            Modes::Side => format!(
-                "`left` or `right`: the side of {pin} seen from {} looking to {}",
-                joint(0),
-                joint(1)
-            ),
-            Modes::Sense if is_slide(group) => format!(
-                "`ahead` or `behind`: whether {} lies on the positive or the negative side of \
-                 the bar, seen from {}",
-                joint(0),
-                joint(1)
-            ),
-            Modes::Sense => format!(
-                "`ahead` or `behind`: where {pin} lies against the foot of {} on {}, along its \
-                 direction",
-                joint(0),
-                joint(1)
-            ),
-            Modes::Trend => "`rising` or `falling`: how the equation passes its root".to_string(),
+/// Reports a word that is no mode at all.
+fn mode_exists(scope: &mut Scope<'_>, word: &Ident, modes: Modes, group: &GroupStatement) {
+    let text = word.to_string();
+    let known = modes.words().into_iter().chain(scope.names.of_kinds(&[Kind::Param]));
+    let message = match nearest(&text, known) {
+        Some(near) => {
+            format!("no mode named `{text}`; a mode with a similar name exists: `{near}`")
         }
-    }
-
-    /// The side in `at distances (r1, r2) left`.
-    pub(super) fn side_is_left_or_right(&mut self, word: &Ident, point: &Ident) -> Option<Sign> {
-        let side = side_word(word);
-        if side.is_none() {
-            let message = format!("no side named `{word}`; write `left` or `right`");
-            let reason =
-                format!("the side of `{point}` seen from the link's first joint to its pin");
-            self.diagnostics.error_because(word.span(), message, reason);
+        None => {
+            let [plus, minus] = modes.words();
+            format!("no mode named `{text}`; write `{plus}` or `{minus}`")
         }
-        side
-    }
+    };
+    let reason = modes_explained(modes, group);
+    scope.diagnostics.error_because(word.span(), message, reason);
+}
 
-    /// The value of a mode parameter is one of the six words.
-    pub(super) fn param_is_a_mode(&mut self, default: &Expr) -> Option<ParamKind> {
-        let kind = bare_name(default).and_then(mode_word);
-        if kind.is_none() && !default.is_mistake() {
-            let message = "a mode is `left`, `right`, `ahead`, `behind`, `rising` or `falling`";
-            let [side, sense] = [Modes::Side, Modes::Sense].map(GroupSpec::keywords_with);
-            let reason = format!(
-                "`left` or `right` for an {side}, `ahead` or `behind` for {sense}, `rising` or \
-                 `falling` for `solve`"
-            );
-            self.diagnostics.error_because(default.span, message, reason);
-        }
-        kind
+/// Both modes in the names of the group at hand.
+pub(super) fn modes_explained(modes: Modes, group: &GroupStatement) -> String {
+    let joint = |i: usize| {
+        let joint = group.legs.get(i).and_then(|leg| leg.joint.as_ref());
+        joint.map_or("the outer joint".into(), |joint| format!("`{joint}`"))
+    };
+    let pin = group.pin.as_ref().map_or("the pin".into(), |pin| format!("`{pin}`"));
+    match modes {
+        Modes::Side => format!(
+            "`left` or `right`: the side of {pin} seen from {} looking to {}",
+            joint(0),
+            joint(1)
+        ),
+        Modes::Sense if is_slide(group) => format!(
+            "`ahead` or `behind`: whether {} lies on the positive or the negative side of \
+             the bar, seen from {}",
+            joint(0),
+            joint(1)
+        ),
+        Modes::Sense => format!(
+            "`ahead` or `behind`: where {pin} lies against the foot of {} on {}, along its \
+             direction",
+            joint(0),
+            joint(1)
+        ),
+        Modes::Trend => "`rising` or `falling`: how the equation passes its root".to_string(),
     }
+}
+
+/// The side in `at distances (r1, r2) left`.
+pub(super) fn side_is_left_or_right(
+    scope: &mut Scope<'_>,
+    word: &Ident,
+    point: &Ident,
+) -> Option<Sign> {
+    let side = side_word(word);
+    if side.is_none() {
+        let message = format!("no side named `{word}`; write `left` or `right`");
+        let reason = format!("the side of `{point}` seen from the link's first joint to its pin");
+        scope.diagnostics.error_because(word.span(), message, reason);
+    }
+    side
+}
+
+/// The value of a mode parameter is one of the six words.
+pub(super) fn param_is_a_mode(scope: &mut Scope<'_>, default: &Expr) -> Option<ParamKind> {
+    let kind = bare_name(default).and_then(mode_word);
+    if kind.is_none() && !default.is_mistake() {
+        let message = "a mode is `left`, `right`, `ahead`, `behind`, `rising` or `falling`";
+        let [side, sense] = [Modes::Side, Modes::Sense].map(GroupSpec::keywords_with);
+        let reason = format!(
+            "`left` or `right` for an {side}, `ahead` or `behind` for {sense}, `rising` or \
+             `falling` for `solve`"
+        );
+        scope.diagnostics.error_because(default.span, message, reason);
+    }
+    kind
 }

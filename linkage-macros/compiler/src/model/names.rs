@@ -4,7 +4,7 @@
 //! that does not exist from one that is made further down. A statement's names can be used from
 //! the next statement on.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
@@ -94,11 +94,33 @@ pub(super) struct Names {
     pub by_name: HashMap<String, usize>,
     /// The statement being resolved.
     pub current: usize,
+    /// Names used before they are made.
+    pub too_early: Vec<TooEarly>,
+    /// Names that nothing declares, and that were reported.
+    pub reported_unknown: HashSet<String>,
+    /// True if one of them stands where a number does.
+    pub number_is_unknown: bool,
+    /// True if a mistake may have hidden the use of an input.
+    pub use_is_hidden: bool,
+    /// The names behind `solve`.
+    pub solved: HashSet<String>,
+    /// The pins of a drawing, which are resolved as points that stand still.
+    pub pins: HashSet<String>,
 }
 
 impl Names {
     pub(super) fn collect(tree: &Declaration) -> Self {
-        let mut names = Self { symbols: Vec::new(), by_name: HashMap::new(), current: 0 };
+        let mut names = Self {
+            symbols: Vec::new(),
+            by_name: HashMap::new(),
+            current: 0,
+            too_early: Vec::new(),
+            reported_unknown: HashSet::new(),
+            number_is_unknown: false,
+            use_is_hidden: false,
+            solved: tree.statements.iter().filter_map(solved).collect(),
+            pins: HashSet::new(),
+        };
         for (index, statement) in tree.statements.iter().enumerate() {
             for (name, kind) in declared_by(statement) {
                 let name = name.to_string();
@@ -164,6 +186,13 @@ impl Names {
 
     pub(super) fn symbol(&self, name: &Ident) -> Option<&Symbol> {
         self.by_name.get(&name.to_string()).map(|&index| &self.symbols[index])
+    }
+}
+
+fn solved(statement: &Statement) -> Option<String> {
+    match &statement.kind {
+        StatementKind::Solve(solve) => Some(solve.unknown.to_string()),
+        _ => None,
     }
 }
 

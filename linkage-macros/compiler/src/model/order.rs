@@ -7,73 +7,72 @@ use proc_macro2::Ident;
 
 use crate::syntax::tree::{Declaration, StatementKind};
 
-use super::Resolver;
-use super::class_three;
 use super::expressions::Allowed;
 use super::facts::Reads;
 use super::names::{Entity, declared_by, listed, title};
 use super::needs::Needs;
+use super::scope::Scope;
+use super::{class_three, laws};
 
 const TWO_UNKNOWNS: &str = "only drivers and dyads are solved in closed form; drive the chain at another \
                             link, so that each dyad stands on what is known";
 
-impl Resolver<'_> {
-    /// A law of rates or loads that a statement about the machine itself uses too early.
-    fn law_in_a_dimension(&self, tree: &Declaration) -> Option<(Ident, Reads)> {
-        let uses = self.too_early.iter().filter(|use_| {
-            let user = &tree.statements[use_.user].kind;
-            !matches!(user, StatementKind::Let { .. } | StatementKind::Action(_))
-        });
-        uses.filter_map(|use_| match self.names.made(&use_.name)? {
-            Entity::Law(id) => Some((use_.name.clone(), self.facts.laws[id.index()].reads.clone())),
-            _ => None,
-        })
-        .next()
-    }
+/// A law of rates or loads that a statement about the machine itself uses too early.
+fn law_in_a_dimension(scope: &Scope<'_>, tree: &Declaration) -> Option<(Ident, Reads)> {
+    let uses = scope.names.too_early.iter().filter(|use_| {
+        let user = &tree.statements[use_.user].kind;
+        !matches!(user, StatementKind::Let { .. } | StatementKind::Action(_))
+    });
+    uses.filter_map(|use_| match scope.names.made(&use_.name)? {
+        Entity::Law(id) => Some((use_.name.clone(), scope.facts.laws[id.index()].reads.clone())),
+        _ => None,
+    })
+    .next()
+}
 
-    /// Reports names that are used too early: with an order that works, or as a circle of statements
-    /// that need each other.
-    pub(super) fn statements_are_in_order(&mut self, tree: &Declaration) {
-        if let Some((name, reads)) = self.law_in_a_dimension(tree) {
-            // No order would help.
-            self.law_stands_here(&name, &reads, Allowed::IN_DIMENSIONS);
-            return;
-        }
-        let Some(first) = self.too_early.first() else {
-            return;
-        };
-        let needs = Needs::of(tree);
-        let circles: Vec<_> = self.too_early.iter().map(|use_| needs.circle(use_.user)).collect();
-        let told = |index: &usize| {
-            let statement = &tree.statements[*index];
-            let name = declared_by(statement).first().map_or(String::new(), |(n, _)| n.to_string());
-            format!("`{}`", title(statement, &name))
-        };
-        let (at, message, reason) = match circles.iter().position(|circle| !circle.is_empty()) {
-            Some(index) => {
-                let statements: Vec<_> = circles[index].iter().map(told).collect();
-                (
-                    self.too_early[index].name.span(),
-                    format!(
-                        "{} need each other: a group of class III or higher",
-                        listed(&statements, "and")
-                    ),
-                    class_three::instead(tree, &needs, &circles[index])
-                        .unwrap_or_else(|| TWO_UNKNOWNS.to_string()),
-                )
-            }
-            None => {
-                let uses = self.too_early.iter();
-                let statements = uses.flat_map(|use_| [use_.user, use_.maker]).collect();
-                let order: Vec<_> = needs.ordered(statements).iter().map(told).collect();
-                let made_by = title(&tree.statements[first.maker], &first.name.to_string());
-                (
-                    first.name.span(),
-                    format!("`{}` is used before `{made_by}` makes it", first.name),
-                    format!("this order works: {}", order.join(", ")),
-                )
-            }
-        };
-        self.diagnostics.error_because(at, message, reason);
+/// Reports names that are used too early: with an order that works, or as a circle of statements
+/// that need each other.
+pub(super) fn statements_are_in_order(scope: &mut Scope<'_>, tree: &Declaration) {
+    if let Some((name, reads)) = law_in_a_dimension(scope, tree) {
+        // No order would help.
+        laws::law_stands_here(scope, &name, &reads, Allowed::IN_DIMENSIONS);
+        return;
     }
+    let Some(first) = scope.names.too_early.first() else {
+        return;
+    };
+    let needs = Needs::of(tree);
+    let circles: Vec<_> =
+        scope.names.too_early.iter().map(|use_| needs.circle(use_.user)).collect();
+    let told = |index: &usize| {
+        let statement = &tree.statements[*index];
+        let name = declared_by(statement).first().map_or(String::new(), |(n, _)| n.to_string());
+        format!("`{}`", title(statement, &name))
+    };
+    let (at, message, reason) = match circles.iter().position(|circle| !circle.is_empty()) {
+        Some(index) => {
+            let statements: Vec<_> = circles[index].iter().map(told).collect();
+            (
+                scope.names.too_early[index].name.span(),
+                format!(
+                    "{} need each other: a group of class III or higher",
+                    listed(&statements, "and")
+                ),
+                class_three::instead(tree, &needs, &circles[index])
+                    .unwrap_or_else(|| TWO_UNKNOWNS.to_string()),
+            )
+        }
+        None => {
+            let uses = scope.names.too_early.iter();
+            let statements = uses.flat_map(|use_| [use_.user, use_.maker]).collect();
+            let order: Vec<_> = needs.ordered(statements).iter().map(told).collect();
+            let made_by = title(&tree.statements[first.maker], &first.name.to_string());
+            (
+                first.name.span(),
+                format!("`{}` is used before `{made_by}` makes it", first.name),
+                format!("this order works: {}", order.join(", ")),
+            )
+        }
+    };
+    scope.diagnostics.error_because(at, message, reason);
 }

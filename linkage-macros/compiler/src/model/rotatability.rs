@@ -8,13 +8,13 @@ use crate::reach::absolute;
 use crate::reach::line::BodyLine;
 use crate::reach::turn::{Range, Turn};
 
-use super::Resolver;
 use super::assembly::constants;
 use super::folding::shown;
 use super::mechanism::{
     AngleSum, Carrier, Drive, Group, GroupId, GroupName, GuideDirection, GuideId, InputId, LinkId,
     Mechanism, Point, PointId, Rotatability, Scalar, Step, Through,
 };
+use super::scope::Scope;
 
 /// A crank on the ground: its circle and what turns it.
 struct TurningCrank<'m> {
@@ -194,17 +194,15 @@ impl TurningCrank<'_> {
     }
 }
 
-impl Resolver<'_> {
-    /// A dyad on a crank can be assembled at some angle of the crank.
-    pub(super) fn cranks_can_turn(&mut self) {
-        let never = |found: &&Rotatability| found.turn.range == Range::Never;
-        for found in self.mechanism.rotatabilities.iter().filter(never) {
-            let GroupName { keyword, title, .. } = &self.mechanism.groups[found.group.index()];
-            let crank = &self.mechanism.links[found.crank.index()].name;
-            let message = format!(
-                "`{title}` cannot be assembled at any angle of `{crank}`; change its dimensions"
-            );
-            self.diagnostics.error_because(keyword.span(), message, &found.reason);
-        }
+/// A dyad on a crank can be assembled at some angle of the crank.
+pub(super) fn cranks_can_turn(scope: &mut Scope<'_>) {
+    let never = |found: &&Rotatability| found.turn.range == Range::Never;
+    for found in scope.mechanism.rotatabilities.iter().filter(never) {
+        let GroupName { keyword, title, .. } = &scope.mechanism.groups[found.group.index()];
+        let crank = &scope.mechanism.links[found.crank.index()].name;
+        let message = format!(
+            "`{title}` cannot be assembled at any angle of `{crank}`; change its dimensions"
+        );
+        scope.diagnostics.error_because(keyword.span(), message, &found.reason);
     }
 }

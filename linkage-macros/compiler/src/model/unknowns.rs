@@ -9,252 +9,251 @@ use crate::exact::Exact;
 use crate::reach::turn::Range;
 use crate::syntax::tree::{self, Declaration};
 
-use super::Resolver;
 use super::acting::Effort;
 use super::folding::shown_in_degrees;
-use super::inputs::KINDS;
+use super::inputs::{self, KINDS};
 use super::mechanism::{
     AngleSum, Dimension, Drive, Equation, GroupName, Mode, ParamKind, Scalar, Sign, Unknown,
     UnknownId,
 };
 use super::names::{Entity, Kind};
+use super::scope::Scope;
 use super::searched::Searched;
+use super::{driving_load, dyads, numbers, uses};
 
-impl Resolver<'_> {
-    pub(super) fn unknown(
-        &mut self,
-        docs: &[Attribute],
-        name: &Ident,
-        kind: Option<&Ident>,
-        between: Option<&[tree::Expr; 2]>,
-    ) {
-        let is_new = self.name_is_new(name).is_some() && self.one_is_searched_at_a_time(name);
-        let dimension = kind.and_then(|kind| self.quantity_kind(kind, "kind of unknown", &KINDS));
-        let ends = between.zip(dimension).and_then(|(ends, of)| self.ends(name, ends, of));
-        let (true, Some(dimension), Some(written), Some(between)) =
-            (is_new, dimension, between, ends)
-        else {
-            return;
-        };
-        let id = UnknownId(self.mechanism.unknowns.len() as u32);
-        let group = self.next_group();
-        self.mechanism.groups.push(GroupName {
-            keyword: Ident::new("unknown", name.span()),
-            title: name.to_string(),
-        });
-        let steps = [self.mechanism.steps.len(); 2];
-        // Nothing is solved by it: what has no `solve` is reported.
-        let equation = Equation::Turn(AngleSum { links: Vec::new(), rest: Scalar::zero() });
-        self.mechanism.unknowns.push(Unknown {
-            name: name.clone(),
-            docs: docs.to_vec(),
-            dimension,
-            group,
-            between,
-            steps,
-            equation,
-            measure: Dimension::NUMBER,
-            mode: Mode::Fixed(Sign::Plus),
-            near: None,
-        });
-        self.facts.order.push(Entity::Unknown(id));
-        self.names.bind(name, Entity::Unknown(id));
-        let ends = written.each_ref().map(|end| end.span);
-        let follows = HashSet::from([Entity::Unknown(id)]);
-        self.facts.ends_of_unknowns.push(ends);
-        self.facts.searches.push(Searched { id, name: name.clone(), follows, ended: false });
+pub(super) fn unknown(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    name: &Ident,
+    kind: Option<&Ident>,
+    between: Option<&[tree::Expr; 2]>,
+) {
+    let is_new = uses::name_is_new(scope, name).is_some() && one_is_searched_at_a_time(scope, name);
+    let dimension =
+        kind.and_then(|kind| inputs::quantity_kind(scope, kind, "kind of unknown", &KINDS));
+    let ends = between.zip(dimension).and_then(|(ends, of)| self::ends(scope, name, ends, of));
+    let (true, Some(dimension), Some(written), Some(between)) = (is_new, dimension, between, ends)
+    else {
+        return;
+    };
+    let id = UnknownId(scope.mechanism.unknowns.len() as u32);
+    let group = dyads::next_group(scope);
+    scope
+        .mechanism
+        .groups
+        .push(GroupName { keyword: Ident::new("unknown", name.span()), title: name.to_string() });
+    let steps = [scope.mechanism.steps.len(); 2];
+    // Nothing is solved by it: what has no `solve` is reported.
+    let equation = Equation::Turn(AngleSum { links: Vec::new(), rest: Scalar::zero() });
+    scope.mechanism.unknowns.push(Unknown {
+        name: name.clone(),
+        docs: docs.to_vec(),
+        dimension,
+        group,
+        between,
+        steps,
+        equation,
+        measure: Dimension::NUMBER,
+        mode: Mode::Fixed(Sign::Plus),
+        near: None,
+    });
+    scope.facts.order.push(Entity::Unknown(id));
+    scope.names.bind(name, Entity::Unknown(id));
+    let ends = written.each_ref().map(|end| end.span);
+    let follows = HashSet::from([Entity::Unknown(id)]);
+    scope.facts.ends_of_unknowns.push(ends);
+    scope.facts.searches.push(Searched { id, name: name.clone(), follows, ended: false });
+}
+
+/// An unknown is solved before the next begins.
+fn one_is_searched_at_a_time(scope: &mut Scope<'_>, name: &Ident) -> bool {
+    let Some(searched) = scope.facts.searched() else { return true };
+    let first = &searched.name;
+    let message = format!("solve `{first}` before this: one unknown is searched at a time");
+    let reason = format!("move `unknown {name}` behind `solve {first} {{ … }}`");
+    scope.diagnostics.error_because(name.span(), message, reason);
+    false
+}
+
+/// Both ends are known before anything moves, in order, and within a turn.
+fn ends(
+    scope: &mut Scope<'_>,
+    name: &Ident,
+    written: &[tree::Expr; 2],
+    dimension: Dimension,
+) -> Option<[Scalar; 2]> {
+    let ends = written.each_ref().map(|end| {
+        end_depends_on_no_input(scope, end, name)?;
+        numbers::scalar(scope, end, dimension)
+    });
+    let [Some(from), Some(to)] = ends else { return None };
+    let (Some(low), Some(high)) = (declared(scope, &from), declared(scope, &to)) else {
+        return Some([from, to]);
+    };
+    let reason = "the lower end comes first, as in `between (10deg, 170deg)`";
+    if !low.cmp_value(&high).is_lt() {
+        let message = format!("the ends of `{name}` are not in order; write the lower one first");
+        scope.diagnostics.error_because(written[1].span, message, reason);
+        return None;
     }
-
-    /// An unknown is solved before the next begins.
-    fn one_is_searched_at_a_time(&mut self, name: &Ident) -> bool {
-        let Some(searched) = self.facts.searched() else { return true };
-        let first = &searched.name;
-        let message = format!("solve `{first}` before this: one unknown is searched at a time");
-        let reason = format!("move `unknown {name}` behind `solve {first} {{ … }}`");
-        self.diagnostics.error_because(name.span(), message, reason);
-        false
+    let turn = Exact::pi().mul(&Exact::integer(2));
+    let width = high.sub(&low);
+    if dimension.angle && width.cmp_value(&turn).is_gt() {
+        let width = shown_in_degrees(&width);
+        let message = format!("the ends of `{name}` are {width}° apart; stay within a turn");
+        let reason = "beyond a turn every pose comes once more";
+        scope.diagnostics.error_because(written[1].span, message, reason);
+        return None;
     }
+    Some([from, to])
+}
 
-    /// Both ends are known before anything moves, in order, and within a turn.
-    fn ends(
-        &mut self,
-        name: &Ident,
-        written: &[tree::Expr; 2],
-        dimension: Dimension,
-    ) -> Option<[Scalar; 2]> {
-        let ends = written.each_ref().map(|end| {
-            self.end_depends_on_no_input(end, name)?;
-            self.scalar(end, dimension)
-        });
-        let [Some(from), Some(to)] = ends else { return None };
-        let (Some(low), Some(high)) = (self.declared(&from), self.declared(&to)) else {
-            return Some([from, to]);
-        };
-        let reason = "the lower end comes first, as in `between (10deg, 170deg)`";
-        if !low.cmp_value(&high).is_lt() {
-            let message =
-                format!("the ends of `{name}` are not in order; write the lower one first");
-            self.diagnostics.error_because(written[1].span, message, reason);
-            return None;
-        }
-        let turn = Exact::pi().mul(&Exact::integer(2));
-        let width = high.sub(&low);
-        if dimension.angle && width.cmp_value(&turn).is_gt() {
-            let width = shown_in_degrees(&width);
-            let message = format!("the ends of `{name}` are {width}° apart; stay within a turn");
-            let reason = "beyond a turn every pose comes once more";
-            self.diagnostics.error_because(written[1].span, message, reason);
-            return None;
-        }
-        Some([from, to])
-    }
-
-    /// The declared value of a constant or a parameter, or of the negative of one.
-    fn declared(&self, expr: &Scalar) -> Option<Exact> {
-        match expr {
-            Scalar::Constant(value) => Some(value.clone()),
-            Scalar::Negate(value) => Some(self.declared(value)?.neg()),
-            Scalar::Param(id) => match &self.mechanism.params[id.index()].kind {
-                ParamKind::Number { default, .. } => Some(default.clone()),
-                _ => None,
-            },
+/// The declared value of a constant or a parameter, or of the negative of one.
+fn declared(scope: &Scope<'_>, expr: &Scalar) -> Option<Exact> {
+    match expr {
+        Scalar::Constant(value) => Some(value.clone()),
+        Scalar::Negate(value) => Some(declared(scope, value)?.neg()),
+        Scalar::Param(id) => match &scope.mechanism.params[id.index()].kind {
+            ParamKind::Number { default, .. } => Some(default.clone()),
             _ => None,
-        }
+        },
+        _ => None,
     }
+}
 
-    /// Ends are constants and parameters.
-    fn end_depends_on_no_input(&mut self, end: &tree::Expr, name: &Ident) -> Option<()> {
-        let Some(at) = self.moving_part(end) else { return Some(()) };
-        let message =
-            format!("the ends of `{name}` depend on no input; write constants or parameters");
-        let reason = "the machine has to be assembled from end to end, whatever the inputs are";
-        self.diagnostics.error_because(at, message, reason);
-        None
-    }
+/// Ends are constants and parameters.
+fn end_depends_on_no_input(scope: &mut Scope<'_>, end: &tree::Expr, name: &Ident) -> Option<()> {
+    let Some(at) = numbers::moving_part(scope, end) else { return Some(()) };
+    let message = format!("the ends of `{name}` depend on no input; write constants or parameters");
+    let reason = "the machine has to be assembled from end to end, whatever the inputs are";
+    scope.diagnostics.error_because(at, message, reason);
+    None
+}
 
-    /// Notes what the statement has made with the unknown that is searched, or with what follows
-    /// it.
-    pub(super) fn note_what_follows(&mut self, statement: &tree::Statement) {
-        let Some(searched) = self.facts.searched() else { return };
-        if !self.uses(statement, |_, entity| searched.reaches(entity)) {
-            return;
-        }
-        let declared = super::names::declared_by(statement);
-        let made = declared.iter().filter_map(|(name, _)| self.names.made(name));
-        if let Some(searched) = self.facts.searches.last_mut() {
-            searched.follows.extend(made);
-        }
+/// Notes what the statement has made with the unknown that is searched, or with what follows
+/// it.
+pub(super) fn note_what_follows(scope: &mut Scope<'_>, statement: &tree::Statement) {
+    let Some(searched) = scope.facts.searched() else { return };
+    if !uses::uses(scope, statement, |_, entity| searched.reaches(entity)) {
+        return;
     }
+    let declared = super::names::declared_by(statement);
+    let made = declared.iter().filter_map(|(name, _)| scope.names.made(name));
+    if let Some(searched) = scope.facts.searches.last_mut() {
+        searched.follows.extend(made);
+    }
+}
 
-    /// True if the value changes with the unknown that is searched.
-    pub(super) fn changes_with(&self, searched: &Searched, expr: &Scalar) -> bool {
-        let changes = |expr: &Scalar| self.changes_with(searched, expr);
-        let reaches = |entity| searched.reaches(entity);
-        match expr {
-            Scalar::Constant(_)
-            | Scalar::Input(_)
-            | Scalar::Param(_)
-            | Scalar::Load(_)
-            | Scalar::Pull => false,
-            // Only forces read these.
-            Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => false,
-            Scalar::Unknown(id) => *id == searched.id,
-            Scalar::Let(id) => reaches(Entity::Let(*id)),
-            Scalar::Slide(link) => reaches(Entity::Link(*link)),
-            Scalar::Coordinate(point, _) => reaches(Entity::Point(*point)),
-            Scalar::Distance(points) => points.iter().any(|&point| reaches(Entity::Point(point))),
-            Scalar::Offset(point, guide) => {
-                reaches(Entity::Point(*point)) || reaches(Entity::Guide(*guide))
-            }
-            Scalar::Negate(value) => changes(value),
-            Scalar::AboveZero(inner) => changes(&inner.value),
-            Scalar::Chain(first, rest) => {
-                changes(first) || rest.iter().any(|(_, operand)| changes(operand))
-            }
-            Scalar::Call(_, arguments) => arguments.iter().any(changes),
+/// True if the value changes with the unknown that is searched.
+pub(super) fn changes_with(scope: &Scope<'_>, searched: &Searched, expr: &Scalar) -> bool {
+    let changes = |expr: &Scalar| changes_with(scope, searched, expr);
+    let reaches = |entity| searched.reaches(entity);
+    match expr {
+        Scalar::Constant(_)
+        | Scalar::Input(_)
+        | Scalar::Param(_)
+        | Scalar::Load(_)
+        | Scalar::Pull => false,
+        // Only forces read these.
+        Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => false,
+        Scalar::Unknown(id) => *id == searched.id,
+        Scalar::Let(id) => reaches(Entity::Let(*id)),
+        Scalar::Slide(link) => reaches(Entity::Link(*link)),
+        Scalar::Coordinate(point, _) => reaches(Entity::Point(*point)),
+        Scalar::Distance(points) => points.iter().any(|&point| reaches(Entity::Point(point))),
+        Scalar::Offset(point, guide) => {
+            reaches(Entity::Point(*point)) || reaches(Entity::Guide(*guide))
         }
+        Scalar::Negate(value) => changes(value),
+        Scalar::AboveZero(inner) => changes(&inner.value),
+        Scalar::Chain(first, rest) => {
+            changes(first) || rest.iter().any(|(_, operand)| changes(operand))
+        }
+        Scalar::Call(_, arguments) => arguments.iter().any(changes),
     }
+}
 
-    /// Every unknown is solved.
-    pub(super) fn every_unknown_is_solved(&mut self, tree: &Declaration) {
-        let Some(Searched { name, .. }) = self.facts.searched() else { return };
-        if tree.unread.may_hold("solve") || tree.unread.may_hold(&name.to_string()) {
-            return;
-        }
-        // The equation that is missing may be what uses an input.
-        self.use_is_hidden = true;
-        let message =
-            format!("`{name}` is never solved; end its search with `solve {name} {{ … }}`");
-        let reason = "an equation fixes it, as in `solve theta { ram.slide = x, mode: falling }`";
-        self.diagnostics.error_because(name.span(), message, reason);
+/// Every unknown is solved.
+pub(super) fn every_unknown_is_solved(scope: &mut Scope<'_>, tree: &Declaration) {
+    let Some(Searched { name, .. }) = scope.facts.searched() else { return };
+    if tree.unread.may_hold("solve") || tree.unread.may_hold(&name.to_string()) {
+        return;
     }
+    // The equation that is missing may be what uses an input.
+    scope.names.use_is_hidden = true;
+    let message = format!("`{name}` is never solved; end its search with `solve {name} {{ … }}`");
+    let reason = "an equation fixes it, as in `solve theta { ram.slide = x, mode: falling }`";
+    scope.diagnostics.error_because(name.span(), message, reason);
+}
 
-    /// Where a dyad of constants stops the crank that an unknown turns, both ends lie on one side.
-    pub(super) fn ends_can_be_assembled(&mut self) {
-        for group in self.mechanism.group_steps() {
-            let Some(Drive::Angle { angle: AngleSum { links, rest: Scalar::Unknown(id) }, .. }) =
-                &group.outer[0].drive
-            else {
-                continue;
-            };
-            let link = group.links[0];
-            let ends = &self.mechanism.unknowns[id.index()].between;
-            let [Some(from), Some(to)] = ends.each_ref().map(Scalar::constant) else { continue };
-            let [from, to] = [from, to].map(|end| end.to_f64().to_degrees());
-            let found =
-                self.mechanism.rotatabilities.iter().find_map(|found| match &found.turn.range {
-                    Range::Within(stretches) if found.crank == link && links.is_empty() => {
-                        let outside = outside(stretches, [from, to])?;
-                        Some((found, outside, stretches))
-                    }
-                    _ => None,
-                });
-            let Some((found, end, stretches)) = found else { continue };
-            let crank = &self.mechanism.links[link.index()].name;
-            let title = &self.mechanism.groups[found.group.index()].title;
-            let stretches: Vec<_> =
-                stretches.iter().map(|[a, b]| format!("from {a:.3}° to {b:.3}°")).collect();
-            let message = format!("at this end `{title}` cannot be assembled; move it in");
-            let reason = format!("`{crank}` turns {}", stretches.join(" or "));
-            let at = self.facts.ends_of_unknowns[id.index()][end];
-            self.diagnostics.error_because(at, message, reason);
-        }
+/// Where a dyad of constants stops the crank that an unknown turns, both ends lie on one side.
+pub(super) fn ends_can_be_assembled(scope: &mut Scope<'_>) {
+    for group in scope.mechanism.group_steps() {
+        let Some(Drive::Angle { angle: AngleSum { links, rest: Scalar::Unknown(id) }, .. }) =
+            &group.outer[0].drive
+        else {
+            continue;
+        };
+        let link = group.links[0];
+        let ends = &scope.mechanism.unknowns[id.index()].between;
+        let [Some(from), Some(to)] = ends.each_ref().map(Scalar::constant) else { continue };
+        let [from, to] = [from, to].map(|end| end.to_f64().to_degrees());
+        let found =
+            scope.mechanism.rotatabilities.iter().find_map(|found| match &found.turn.range {
+                Range::Within(stretches) if found.crank == link && links.is_empty() => {
+                    let outside = outside(stretches, [from, to])?;
+                    Some((found, outside, stretches))
+                }
+                _ => None,
+            });
+        let Some((found, end, stretches)) = found else { continue };
+        let crank = &scope.mechanism.links[link.index()].name;
+        let title = &scope.mechanism.groups[found.group.index()].title;
+        let stretches: Vec<_> =
+            stretches.iter().map(|[a, b]| format!("from {a:.3}° to {b:.3}°")).collect();
+        let message = format!("at this end `{title}` cannot be assembled; move it in");
+        let reason = format!("`{crank}` turns {}", stretches.join(" or "));
+        let at = scope.facts.ends_of_unknowns[id.index()][end];
+        scope.diagnostics.error_because(at, message, reason);
     }
+}
 
-    /// Beside an equation that a drive may hold, efforts are known that follow from power alone.
-    pub(super) fn effort_is_known(&mut self, at: &Ident, effort: Effort) -> Option<()> {
-        if self.mechanism.dynamics.is_of_power(effort) || self.mechanism.equations_are_held() {
-            return Some(());
-        }
-        let name = &self.mechanism.unknowns.first()?.name;
-        let input = self.mechanism.inputs.first().map(|input| &input.name);
-        let instead = input.map_or(String::new(), |input| format!("; ask for `{input}.drive`"));
-        let message = format!("no reactions beside `unknown {name}`{instead}");
-        let reason = "what holds the equation of `solve` exerts a force as well: of `distance(P, Q) = l` a bar does, \
-                      of `offset(P, guide) = h` a block, of any other equation nobody says what";
-        self.diagnostics.error_because(at.span(), message, reason);
-        None
+/// Beside an equation that a drive may hold, efforts are known that follow from power alone.
+pub(super) fn effort_is_known(scope: &mut Scope<'_>, at: &Ident, effort: Effort) -> Option<()> {
+    if scope.mechanism.dynamics.is_of_power(effort) || scope.mechanism.equations_are_held() {
+        return Some(());
     }
+    let name = &scope.mechanism.unknowns.first()?.name;
+    let input = scope.mechanism.inputs.first().map(|input| &input.name);
+    let instead = input.map_or(String::new(), |input| format!("; ask for `{input}.drive`"));
+    let message = format!("no reactions beside `unknown {name}`{instead}");
+    let reason = "what holds the equation of `solve` exerts a force as well: of `distance(P, Q) = l` a bar does, \
+                  of `offset(P, guide) = h` a block, of any other equation nobody says what";
+    scope.diagnostics.error_because(at.span(), message, reason);
+    None
+}
 
-    /// `theta.drive`, in place of the only input's.
-    pub(super) fn unknown_effort(&mut self, owner: &Ident, member: &Ident) -> Option<Effort> {
-        let Entity::Unknown(id) = self.usable(owner, &[Kind::Unknown])? else { return None };
-        if member != "drive" {
-            let message = format!("write `{owner}.drive`");
-            let reason =
-                "its effort is a torque or a force, as the unknown is an angle or a length";
-            self.diagnostics.error_because(member.span(), message, reason);
-            return None;
-        }
-        if let [first, _, ..] = &self.mechanism.inputs[..] {
-            let message = format!("`{owner}.drive` stands for one input's, and there are several");
-            let reason = format!("ask for `{}.drive` and its like", first.name);
-            self.diagnostics.error_because(owner.span(), message, reason);
-            return None;
-        }
-        self.has_a_drive(owner, super::ids::InputId(0))?;
-        Some(Effort::Unknown(id))
+/// `theta.drive`, in place of the only input's.
+pub(super) fn unknown_effort(
+    scope: &mut Scope<'_>,
+    owner: &Ident,
+    member: &Ident,
+) -> Option<Effort> {
+    let Entity::Unknown(id) = uses::usable(scope, owner, &[Kind::Unknown])? else { return None };
+    if member != "drive" {
+        let message = format!("write `{owner}.drive`");
+        let reason = "its effort is a torque or a force, as the unknown is an angle or a length";
+        scope.diagnostics.error_because(member.span(), message, reason);
+        return None;
     }
+    if let [first, _, ..] = &scope.mechanism.inputs[..] {
+        let message = format!("`{owner}.drive` stands for one input's, and there are several");
+        let reason = format!("ask for `{}.drive` and its like", first.name);
+        scope.diagnostics.error_because(owner.span(), message, reason);
+        return None;
+    }
+    driving_load::has_a_drive(scope, owner, super::ids::InputId(0))?;
+    Some(Effort::Unknown(id))
 }
 
 /// Which of the two angles, in degrees, lies on no stretch that holds the other.

@@ -4,159 +4,161 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::{Extent, nearest};
 
-use super::Resolver;
 use super::mechanism::{GuideId, LinkId, PointId};
 use super::names::{Entity, Kind, NUMBERS, Symbol, TooEarly, listed};
 use super::references::each_name_used;
+use super::scope::Scope;
 use crate::syntax::tree::Statement;
 use crate::syntax::words::{LIKELY_NAMES, UNITS};
 
-impl Resolver<'_> {
-    /// A name is declared once.
-    pub(super) fn name_is_new(&mut self, name: &Ident) -> Option<()> {
-        let text = name.to_string();
-        let index = *self.names.by_name.get(&text)?;
-        let symbol = &mut self.names.symbols[index];
-        if symbol.declared {
-            symbol.ambiguous = true;
-            let reason = format!("the first `{text}` is made by `{}`", symbol.made_by);
-            let message = format!("the name `{text}` is taken; choose another");
-            self.diagnostics.error_because(name.span(), message, reason);
-            return None;
-        }
-        symbol.declared = true;
-        Some(())
+/// A name is declared once.
+pub(super) fn name_is_new(scope: &mut Scope<'_>, name: &Ident) -> Option<()> {
+    let text = name.to_string();
+    let index = *scope.names.by_name.get(&text)?;
+    let symbol = &mut scope.names.symbols[index];
+    if symbol.declared {
+        symbol.ambiguous = true;
+        let reason = format!("the first `{text}` is made by `{}`", symbol.made_by);
+        let message = format!("the name `{text}` is taken; choose another");
+        scope.diagnostics.error_because(name.span(), message, reason);
+        return None;
     }
+    symbol.declared = true;
+    Some(())
+}
 
-    pub(super) fn point(&mut self, name: &Ident) -> Option<PointId> {
-        match self.usable(name, &[Kind::Point])? {
-            Entity::Point(id) => Some(id),
-            _ => None,
-        }
+pub(super) fn point(scope: &mut Scope<'_>, name: &Ident) -> Option<PointId> {
+    match usable(scope, name, &[Kind::Point])? {
+        Entity::Point(id) => Some(id),
+        _ => None,
     }
+}
 
-    pub(super) fn link(&mut self, name: &Ident) -> Option<LinkId> {
-        match self.usable(name, &[Kind::Link])? {
-            Entity::Link(id) => Some(id),
-            _ => None,
-        }
+pub(super) fn link(scope: &mut Scope<'_>, name: &Ident) -> Option<LinkId> {
+    match usable(scope, name, &[Kind::Link])? {
+        Entity::Link(id) => Some(id),
+        _ => None,
     }
+}
 
-    pub(super) fn guide(&mut self, name: &Ident) -> Option<GuideId> {
-        match self.usable(name, &[Kind::Guide])? {
-            Entity::Guide(id) => Some(id),
-            _ => None,
-        }
+pub(super) fn guide(scope: &mut Scope<'_>, name: &Ident) -> Option<GuideId> {
+    match usable(scope, name, &[Kind::Guide])? {
+        Entity::Guide(id) => Some(id),
+        _ => None,
     }
+}
 
-    /// A name that is used exists, is of a kind that belongs there, and was made earlier. A name
-    /// whose own declaration was in error, or that has two, gives nothing, and no message.
-    pub(super) fn usable(&mut self, name: &Ident, kinds: &[Kind]) -> Option<Entity> {
-        let Some(symbol) = self.names.symbol(name) else {
-            match self.unread.may_hold(&name.to_string()) {
-                true => self.name_is_unknown(kinds),
-                false => self.name_exists(name, kinds),
-            }
-            return None;
-        };
-        if symbol.ambiguous {
-            return None;
+/// A name that is used exists, is of a kind that belongs there, and was made earlier. A name
+/// whose own declaration was in error, or that has two, gives nothing, and no message.
+pub(super) fn usable(scope: &mut Scope<'_>, name: &Ident, kinds: &[Kind]) -> Option<Entity> {
+    let Some(symbol) = scope.names.symbol(name) else {
+        match scope.unread.may_hold(&name.to_string()) {
+            true => name_is_unknown(scope, kinds),
+            false => name_exists(scope, name, kinds),
         }
-        if !kinds.contains(&symbol.kind) {
-            let message = format!("`{name}` is {}, not {}", symbol.kind.one(), one_of(kinds));
-            let reason = reason_for_kind(name, symbol, kinds);
-            self.report(name.span(), message, reason);
-            return None;
-        }
-        if symbol.statement >= self.names.current {
-            if symbol.statement == self.names.current {
-                let message = format!("`{name}` is used inside the statement that makes it");
-                let reason = "a statement can use what earlier ones have made";
-                self.diagnostics.error_because(name.span(), message, reason);
-            } else {
-                let (user, maker) = (self.names.current, symbol.statement);
-                self.too_early.push(TooEarly { name: name.clone(), user, maker });
-            }
-            return None;
-        }
-        symbol.entity
+        return None;
+    };
+    if symbol.ambiguous {
+        return None;
     }
-
-    /// True if the statement uses a name of which this is true.
-    pub(super) fn uses(&self, statement: &Statement, asks: impl Fn(&Self, Entity) -> bool) -> bool {
-        let mut found = false;
-        each_name_used(statement, &mut |name| {
-            found = found || self.names.entity(name).is_some_and(|entity| asks(self, entity));
-        });
-        found
+    if !kinds.contains(&symbol.kind) {
+        let message = format!("`{name}` is {}, not {}", symbol.kind.one(), one_of(kinds));
+        let reason = reason_for_kind(name, symbol, kinds);
+        report(scope, name.span(), message, reason);
+        return None;
     }
-
-    /// Remembers that an unknown name for a number may be an input, or hold one.
-    fn name_is_unknown(&mut self, kinds: &[Kind]) {
-        if kinds == NUMBERS {
-            self.use_is_hidden = true;
-            self.number_is_unknown = true;
+    if symbol.statement >= scope.names.current {
+        if symbol.statement == scope.names.current {
+            let message = format!("`{name}` is used inside the statement that makes it");
+            let reason = "a statement can use what earlier ones have made";
+            scope.diagnostics.error_because(name.span(), message, reason);
+        } else {
+            let (user, maker) = (scope.names.current, symbol.statement);
+            scope.names.too_early.push(TooEarly { name: name.clone(), user, maker });
         }
+        return None;
     }
+    symbol.entity
+}
 
-    /// Reports a name that nothing declares, with the nearest one of the kinds that belong there.
-    fn name_exists(&mut self, name: &Ident, kinds: &[Kind]) {
-        self.name_is_unknown(kinds);
-        let text = name.to_string();
-        self.reported_unknown.insert(text.clone());
-        if kinds == NUMBERS && self.solved.contains(&text) {
-            // Where it is solved, that is said.
-            return;
-        }
-        let mut message = format!("no {} named `{text}`", words(kinds));
-        let mut reason = None;
-        match nearest(&text, self.names.of_kinds(kinds)) {
-            Some(near) => {
-                let kind = self.names.symbols[self.names.by_name[near]].kind;
-                message += &format!("; {} with a similar name exists: `{near}`", kind.one());
-                let guides: Vec<_> = self.names.of_kinds(&[Kind::Guide]).collect();
-                if kind != Kind::Guide && kinds.contains(&Kind::Guide) && !guides.is_empty() {
-                    reason = Some(format!("guides are `{}`", guides.join("`, `")));
-                }
-            }
-            None if kinds == NUMBERS && is_meant_as_unit(&text) => {
-                reason = Some("a product of units stands in parentheses: `0.1(kg*m^2)`".into());
-            }
-            None => {
-                let earlier = |symbol: &&Symbol| {
-                    kinds.contains(&symbol.kind) && symbol.statement < self.names.current
-                };
-                let known: Vec<_> = self.names.symbols.iter().filter(earlier).collect();
-                if (1..=8).contains(&known.len()) {
-                    let known: Vec<_> = known.iter().map(|s| format!("`{}`", s.name)).collect();
-                    reason = Some(format!("declared so far: {}", known.join(", ")));
-                } else if known.is_empty() && kinds == NUMBERS {
-                    reason = Some(format!("declare it: `input {text}: angle;`"));
-                } else if known.is_empty() && kinds == [Kind::Guide] {
-                    reason = Some(format!(
-                        "declare it in front of this: `guide {text} through A along 0deg;`"
-                    ));
-                } else if kinds == [Kind::Unknown] {
-                    reason = Some(format!(
-                        "declare it in front of what it drives: `unknown {text}: angle between (…, …);`"
-                    ));
-                }
+/// True if the statement uses a name of which this is true.
+pub(super) fn uses(
+    scope: &Scope<'_>,
+    statement: &Statement,
+    asks: impl Fn(&Scope<'_>, Entity) -> bool,
+) -> bool {
+    let mut found = false;
+    each_name_used(statement, &mut |name| {
+        found = found || scope.names.entity(name).is_some_and(|entity| asks(scope, entity));
+    });
+    found
+}
+
+/// Remembers that an unknown name for a number may be an input, or hold one.
+fn name_is_unknown(scope: &mut Scope<'_>, kinds: &[Kind]) {
+    if kinds == NUMBERS {
+        scope.names.use_is_hidden = true;
+        scope.names.number_is_unknown = true;
+    }
+}
+
+/// Reports a name that nothing declares, with the nearest one of the kinds that belong there.
+fn name_exists(scope: &mut Scope<'_>, name: &Ident, kinds: &[Kind]) {
+    name_is_unknown(scope, kinds);
+    let text = name.to_string();
+    scope.names.reported_unknown.insert(text.clone());
+    if kinds == NUMBERS && scope.names.solved.contains(&text) {
+        // Where it is solved, that is said.
+        return;
+    }
+    let mut message = format!("no {} named `{text}`", words(kinds));
+    let mut reason = None;
+    match nearest(&text, scope.names.of_kinds(kinds)) {
+        Some(near) => {
+            let kind = scope.names.symbols[scope.names.by_name[near]].kind;
+            message += &format!("; {} with a similar name exists: `{near}`", kind.one());
+            let guides: Vec<_> = scope.names.of_kinds(&[Kind::Guide]).collect();
+            if kind != Kind::Guide && kinds.contains(&Kind::Guide) && !guides.is_empty() {
+                reason = Some(format!("guides are `{}`", guides.join("`, `")));
             }
         }
-        self.report(name.span(), message, reason);
-    }
-
-    /// Reports a mistake, with its second line where there is one.
-    pub(super) fn report(
-        &mut self,
-        span: impl Into<Extent>,
-        message: impl std::fmt::Display,
-        reason: Option<impl std::fmt::Display>,
-    ) {
-        match reason {
-            Some(reason) => self.diagnostics.error_because(span, message, reason),
-            None => self.diagnostics.error(span, message),
+        None if kinds == NUMBERS && is_meant_as_unit(&text) => {
+            reason = Some("a product of units stands in parentheses: `0.1(kg*m^2)`".into());
         }
+        None => {
+            let earlier = |symbol: &&Symbol| {
+                kinds.contains(&symbol.kind) && symbol.statement < scope.names.current
+            };
+            let known: Vec<_> = scope.names.symbols.iter().filter(earlier).collect();
+            if (1..=8).contains(&known.len()) {
+                let known: Vec<_> = known.iter().map(|s| format!("`{}`", s.name)).collect();
+                reason = Some(format!("declared so far: {}", known.join(", ")));
+            } else if known.is_empty() && kinds == NUMBERS {
+                reason = Some(format!("declare it: `input {text}: angle;`"));
+            } else if known.is_empty() && kinds == [Kind::Guide] {
+                reason = Some(format!(
+                    "declare it in front of this: `guide {text} through A along 0deg;`"
+                ));
+            } else if kinds == [Kind::Unknown] {
+                reason = Some(format!(
+                    "declare it in front of what it drives: `unknown {text}: angle between (…, …);`"
+                ));
+            }
+        }
+    }
+    report(scope, name.span(), message, reason);
+}
+
+/// Reports a mistake, with its second line where there is one.
+pub(super) fn report(
+    scope: &mut Scope<'_>,
+    span: impl Into<Extent>,
+    message: impl std::fmt::Display,
+    reason: Option<impl std::fmt::Display>,
+) {
+    match reason {
+        Some(reason) => scope.diagnostics.error_because(span, message, reason),
+        None => scope.diagnostics.error(span, message),
     }
 }
 

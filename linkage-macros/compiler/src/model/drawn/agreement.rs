@@ -212,7 +212,7 @@ impl Measured<'_> {
         let reason =
             format!("draw {link} there, or change the value: in the drawing every drive holds");
         let span: Extent = equation.value.span;
-        self.resolver.diagnostics.error_because(span, message, reason);
+        self.scope.diagnostics.error_because(span, message, reason);
         None
     }
 
@@ -230,7 +230,7 @@ impl Measured<'_> {
         let link = bodies.name(equation.body);
         let reason = format!("draw {link} where its value takes it, or change the value");
         let span: Extent = equation.value.span;
-        self.resolver.diagnostics.error_because(span, message, reason);
+        self.scope.diagnostics.error_because(span, message, reason);
         None
     }
 }

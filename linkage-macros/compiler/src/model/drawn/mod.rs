@@ -39,9 +39,10 @@ use crate::chain::cutting::Found;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
 
-use super::Resolver;
 use super::mechanism::{Mechanism, OutputKind, References};
 use super::names::Entity;
+use super::numbers;
+use super::scope::Scope;
 use bodies::Bodies;
 use ends::RodEnd;
 use reader::Reader;
@@ -115,10 +116,10 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let frames = framing::written(&mut reader)?;
     let mut bodies = reader.machine(drives, frames)?;
     bodies.machine.motions = values.motions(&bodies);
-    let mut steps = steps(&bodies, values.resolver.diagnostics)?;
+    let mut steps = steps(&bodies, values.scope.diagnostics)?;
     values.drives_agree(&bodies)?;
-    if lengths::pose_has_declared_lengths(&mut bodies, values.resolver.diagnostics)? {
-        steps = self::steps(&bodies, values.resolver.diagnostics)?;
+    if lengths::pose_has_declared_lengths(&mut bodies, values.scope.diagnostics)? {
+        steps = self::steps(&bodies, values.scope.diagnostics)?;
     }
     let inputs = values.inputs_of_the_drawing(&bodies);
     let mut writer = writer::Writer::new(&bodies, &values.pen);
@@ -128,8 +129,8 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     docs.extend(printed::documentation(tree, &translated));
     let writer::Translated { statements, turned, hidden, ends, holds_links, misplaced, .. } =
         translated;
-    placed::report_places_of_unplaced(&bodies, &misplaced, values.resolver.diagnostics)?;
-    messages::report_turned(tree, &turned, values.resolver.diagnostics);
+    placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
+    messages::report_turned(tree, &turned, values.scope.diagnostics);
     let declaration = Declaration {
         docs,
         visibility: tree.visibility.clone(),
@@ -183,19 +184,16 @@ fn document(mechanism: &mut Mechanism, statement: &Statement) {
     }
 }
 
-impl Resolver<'_> {
-    /// The direction of a link among the results is that of the frame that it is written in.
-    pub(super) fn directions_are_as_written(&mut self, turned: &[TurnedFrame]) {
-        for TurnedFrame { link, angle, .. } in turned {
-            let Some(Entity::Link(id)) = self.names.entity(link) else { continue };
-            let Some(turn) = self.turn(angle) else { continue };
-            for output in &mut self.mechanism.outputs {
-                if matches!(output.kind, OutputKind::Link { link, slide: false, .. } if link == id)
-                {
-                    let mut sum = turn.clone();
-                    sum.links.push((id, 1));
-                    output.kind = OutputKind::Angle(sum);
-                }
+/// The direction of a link among the results is that of the frame that it is written in.
+pub(super) fn directions_are_as_written(scope: &mut Scope<'_>, turned: &[TurnedFrame]) {
+    for TurnedFrame { link, angle, .. } in turned {
+        let Some(Entity::Link(id)) = scope.names.entity(link) else { continue };
+        let Some(turn) = numbers::turn(scope, angle) else { continue };
+        for output in &mut scope.mechanism.outputs {
+            if matches!(output.kind, OutputKind::Link { link, slide: false, .. } if link == id) {
+                let mut sum = turn.clone();
+                sum.links.push((id, 1));
+                output.kind = OutputKind::Angle(sum);
             }
         }
     }

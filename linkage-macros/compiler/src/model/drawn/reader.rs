@@ -43,7 +43,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         tree: &'t Declaration,
         values: &'v mut Measured<'d>,
     ) -> Option<(Self, Vec<(usize, &'t DriveStatement)>)> {
-        let before = values.resolver.diagnostics.count();
+        let before = values.scope.diagnostics.count();
         let mut reader = Reader {
             tree,
             values,
@@ -63,11 +63,11 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         reader.read_guides();
         reader.guides_of_links();
         let drives = reader.read_drives();
-        (reader.values.resolver.diagnostics.count() == before).then_some((reader, drives))
+        (reader.values.scope.diagnostics.count() == before).then_some((reader, drives))
     }
 
     pub(super) fn report(&mut self, at: &Ident, message: String, reason: String) {
-        self.values.resolver.diagnostics.error_because(at.span(), message, reason);
+        self.values.scope.diagnostics.error_because(at.span(), message, reason);
     }
 
     /// Reports that nothing makes or uses a name, unless a statement that could not be read may do so.

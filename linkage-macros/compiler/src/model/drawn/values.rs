@@ -11,14 +11,15 @@ use crate::model::expr::{Axis, Scalar as Resolved};
 use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
 use crate::model::names::{Entity, declared_by};
 use crate::model::references::{expressions, names_used};
-use crate::model::{Resolver, units};
+use crate::model::{Scope, units};
 use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement, StatementKind};
 
 use super::figures::{Figure, Pen};
+use crate::model::{expressions, numbers, order};
 
 /// What the numbers of a drawing are.
 pub(super) struct Measured<'d> {
-    pub resolver: Resolver<'d>,
+    pub scope: Scope<'d>,
     pub pen: Pen,
     /// By name, where the points of the ground and the pins are.
     pub places: HashMap<String, [Figure; 2]>,
@@ -93,17 +94,16 @@ impl<'d> Measured<'d> {
     pub(super) fn of(tree: &'d Declaration, diagnostics: &'d mut Diagnostics) -> Option<Self> {
         let before = diagnostics.count();
         let numbers = numbers_of(tree);
-        let mut resolver = Resolver::new(&numbers, &tree.unread, diagnostics);
-        resolver.pins = pins_of(tree).map(ToString::to_string).collect();
-        resolver.facts.longest_in_small_units =
-            super::super::literals::longest_in_small_units(tree);
-        resolver.statements(&numbers);
-        resolver.statements_are_in_order(&numbers);
-        if resolver.diagnostics.count() != before {
+        let mut scope = Scope::new(&numbers, &tree.unread, diagnostics);
+        scope.names.pins = pins_of(tree).map(ToString::to_string).collect();
+        scope.facts.longest_in_small_units = super::super::literals::longest_in_small_units(tree);
+        crate::model::statements(&mut scope, &numbers);
+        order::statements_are_in_order(&mut scope, &numbers);
+        if scope.diagnostics.count() != before {
             return None;
         }
         let pen = Pen { unit: unit_of(tree), at: Span::call_site() };
-        let mut values = Self { resolver, pen, places: HashMap::new() };
+        let mut values = Self { scope, pen, places: HashMap::new() };
         for statement in &numbers.statements {
             let StatementKind::Ground { points } = &statement.kind else { continue };
             for (name, written) in points {
@@ -116,7 +116,7 @@ impl<'d> Measured<'d> {
 
     /// Where a point that was resolved is.
     fn place(&self, name: &Ident, written: &[Expr; 2]) -> Option<[Figure; 2]> {
-        let Some(Entity::Point(id)) = self.resolver.names.entity(name) else { return None };
+        let Some(Entity::Point(id)) = self.scope.names.entity(name) else { return None };
         let at = self.mechanism().steps.iter().find_map(|step| match step {
             Step::Ground { point, at } if *point == id => Some(at),
             _ => None,
@@ -126,7 +126,7 @@ impl<'d> Measured<'d> {
     }
 
     pub(super) fn mechanism(&self) -> &Mechanism {
-        &self.resolver.mechanism
+        &self.scope.mechanism
     }
 
     /// The length that was written as this and resolved to that.
@@ -155,7 +155,7 @@ impl<'d> Measured<'d> {
     /// The length that an expression of constants and parameters is; `None` where it is in error,
     /// which is reported where the groups are resolved.
     pub(super) fn length(&mut self, expr: &Expr) -> Option<Figure> {
-        let resolved = self.quietly(|resolver| resolver.length(expr))?;
+        let resolved = self.quietly(|scope| numbers::length(scope, expr))?;
         Some(Figure::length(
             self.substituted(expr),
             value(&resolved, self.mechanism(), &[])?,
@@ -165,7 +165,7 @@ impl<'d> Measured<'d> {
 
     /// The same for an angle.
     pub(super) fn angle(&mut self, expr: &Expr) -> Option<Figure> {
-        let resolved = self.quietly(|resolver| resolver.plain_angle(expr))?;
+        let resolved = self.quietly(|scope| numbers::plain_angle(scope, expr))?;
         Some(Figure::plain(
             self.substituted(expr),
             value(&resolved, self.mechanism(), &[])?,
@@ -175,16 +175,16 @@ impl<'d> Measured<'d> {
 
     /// The value of an expression at these inputs.
     pub(super) fn at_inputs(&mut self, expr: &Expr, inputs: &[f64]) -> Option<f64> {
-        let resolved = self.quietly(|resolver| resolver.quantity(expr))?;
+        let resolved = self.quietly(|scope| expressions::quantity(scope, expr))?;
         resolved.links.is_empty().then_some(())?;
         value(&resolved.rest, self.mechanism(), inputs)
     }
 
-    /// What the resolver makes of something, whose mistakes are reported later.
-    fn quietly<T>(&mut self, f: impl FnOnce(&mut Resolver<'_>) -> Option<T>) -> Option<T> {
-        let before = self.resolver.diagnostics.count();
-        let found = f(&mut self.resolver);
-        self.resolver.diagnostics.forget_since(before);
+    /// What the rules make of something, whose mistakes are reported later.
+    fn quietly<T>(&mut self, f: impl FnOnce(&mut Scope<'_>) -> Option<T>) -> Option<T> {
+        let before = self.scope.diagnostics.count();
+        let found = f(&mut self.scope);
+        self.scope.diagnostics.forget_since(before);
         found
     }
 }

@@ -1,0 +1,114 @@
+//! Calls of functions of numbers.
+
+use proc_macro2::Ident;
+
+use crate::diagnostics::nearest;
+use crate::function::Function;
+use crate::syntax::tree;
+
+use super::expressions::{
+    Allowed, DISTANCE, OFFSET, RATE, ResolvedExpr, bare_name, counted, expression,
+};
+use super::facts::Reads;
+use super::folding::shown;
+use super::mechanism::Scalar;
+use super::names::Kind;
+use super::scope::Scope;
+use super::{exponents, numbers, readings};
+
+pub(super) fn call(
+    scope: &mut Scope<'_>,
+    name: &Ident,
+    arguments: &[tree::Expr],
+    allowed: Allowed,
+) -> Option<ResolvedExpr> {
+    let Some(function) = Function::named(&name.to_string()) else {
+        if member_as_a_function(scope, name, arguments) {
+            return None;
+        }
+        function_exists(scope, name);
+        // It may be a function of points or guides.
+        let numbers = arguments.iter().filter(|argument| !readings::is_a_place(scope, argument));
+        let numbers: Vec<_> = numbers.collect();
+        numbers.into_iter().for_each(|argument| drop(expression(scope, argument, allowed)));
+        return None;
+    };
+    let values = arguments.iter().map(|argument| expression(scope, argument, allowed));
+    let values: Vec<_> = values.collect();
+    if arguments.len() != function.arity() {
+        let takes = if function.arity() == 1 { "one argument" } else { "two arguments" };
+        let message = format!("`{name}` takes {takes}, and {} given", counted(arguments.len()));
+        scope.diagnostics.error(name.span(), message);
+        return None;
+    }
+    let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
+    for (argument, value) in arguments.iter().zip(&values) {
+        numbers::no_link_angle(scope, argument, value)?;
+    }
+    let measure = numbers::measure_of_call(scope, function, arguments, &values)?;
+    let mut reads = values.iter().fold(Reads::default(), |all, value| all.and(value.reads.clone()));
+    let rests = exponents::arguments_above_zero(function, arguments, values);
+    let constants: Vec<_> = rests.iter().filter_map(|rest| rest.constant()).map(shown).collect();
+    let called = Scalar::call(function, rests);
+    if called.is_none() {
+        let call = format!("{name}({})", constants.join(", "));
+        function_is_defined(scope, function, &arguments[0], &call);
+    }
+    let called = called?;
+    if !function.is_smooth() && !called.is_constant() {
+        reads.corner = Some(function.name());
+    }
+    if !function.is_smooth() && !called.is_constant() && !allowed.corners {
+        let message = format!("`{name}` stands in forces, torques and outputs alone");
+        let reason = "a dimension is smooth: write `hypot(x, e)` with a small `e` for `abs(x)`";
+        scope.diagnostics.error_because(name.span(), message, reason);
+        return None;
+    }
+    Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, called) })
+}
+
+/// Reports `angle(BC)` and `x(P)`; whether it was one of these.
+fn member_as_a_function(scope: &mut Scope<'_>, name: &Ident, arguments: &[tree::Expr]) -> bool {
+    let [Some(owner)] = arguments.iter().map(bare_name).collect::<Vec<_>>()[..] else {
+        return false;
+    };
+    let members: &[&str] = match scope.names.kind(owner) {
+        Some(Kind::Link) => &["angle", "slide"],
+        Some(Kind::Point) => &["x", "y"],
+        _ => return false,
+    };
+    let is_member = members.iter().any(|member| name == member);
+    if is_member {
+        let message = format!("write `{owner}.{name}`");
+        let reason = "what a link or a point has stands behind its name";
+        scope.diagnostics.error_because(name.span(), message, reason);
+    }
+    is_member
+}
+
+/// Reports a function that does not exist, with the nearest one.
+fn function_exists(scope: &mut Scope<'_>, name: &Ident) {
+    let text = name.to_string();
+    let mut message = format!("no function named `{text}`");
+    let known = Function::names().chain([DISTANCE, OFFSET, RATE]);
+    if let Some(near) = nearest(&text, known) {
+        message += &format!("; a function with a similar name exists: `{near}`");
+    }
+    let names: Vec<_> = Function::names().chain([DISTANCE, OFFSET]).collect();
+    let reason = format!(
+        "the functions are `{}`, and `{RATE}` in forces, torques and outputs",
+        names.join(" ")
+    );
+    scope.diagnostics.error_because(name.span(), message, reason);
+}
+
+/// Reports a function of constants where it has no value.
+fn function_is_defined(
+    scope: &mut Scope<'_>,
+    function: Function,
+    argument: &tree::Expr,
+    call: &str,
+) {
+    let message = format!("`{call}` has no value");
+    scope.diagnostics.error_because(argument.span, message, function.domain());
+}
