@@ -5,7 +5,9 @@ use crate::exact::Exact;
 use crate::ir::interpret::{Number, ProgramValues, interpret};
 use crate::ir::program::Program;
 use crate::model::mechanism::{LinkId, Mechanism, OutputKind, Step};
-use crate::syntax::tree::{Declaration, DrawnLink, StatementKind};
+use crate::syntax::tree::{
+    Declaration, DrawnLink, GroundStatement, LinkStatement, PinStatement, StatementKind,
+};
 use crate::{equations, model, passes, syntax};
 
 /// Pins by name.
@@ -129,8 +131,8 @@ impl Machine {
     /// The places of the drawing: those of the ground, or of the pins.
     pub(super) fn drawn<N: Number>(&self, of_ground: bool) -> Vec<(String, [N; 2])> {
         let points = self.tree.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Ground { points } if of_ground => &points[..],
-            StatementKind::Pin { points } if !of_ground => &points[..],
+            StatementKind::Ground(GroundStatement { points }) if of_ground => &points[..],
+            StatementKind::Pin(PinStatement { points }) if !of_ground => &points[..],
             _ => &[],
         });
         let number = |expr: &syntax::tree::Expr| N::exact(&literal(expr));
@@ -140,7 +142,7 @@ impl Machine {
     /// Every link that is as drawn, with its pins.
     pub(super) fn links(&self) -> Vec<(String, Vec<String>)> {
         let links = self.tree.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Link { links, fields: None } => &links[..],
+            StatementKind::Link(LinkStatement { links, fields: None }) => &links[..],
             _ => &[],
         });
         let pins = |link: &DrawnLink| link.pins.iter().map(ToString::to_string).collect();

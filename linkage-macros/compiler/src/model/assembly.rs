@@ -6,11 +6,11 @@ use crate::exact::Exact;
 use crate::reach::absolute;
 
 use super::coincidence;
-use super::dyads::Parts;
 use super::folding::{shown, shown_in_degrees};
 use super::jointed::Dimensions;
 use super::mechanism::{AngleSum, Carrier, GuideId, Length, LinkId, PointId, Scalar};
 use super::scope::Scope;
+use super::statements::group::Parts;
 
 impl AngleSum {
     /// The angle, where it is known when the mechanism is declared.

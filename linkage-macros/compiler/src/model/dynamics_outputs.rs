@@ -8,10 +8,13 @@ use super::acting::{Effort, RequestedEffort};
 use super::link_efforts::{self, Efforts};
 use super::mechanism::{InputId, LinkId, OutputKind, SpringId};
 use super::names::{Entity, Kind};
-use super::outputs::{self, MEMBERS};
 use super::scope::Scope;
-use super::spring_damper::{self, parts};
-use super::{driving_load, effort_formulas, end_stops, unknowns, uses};
+use super::statements::output;
+use super::statements::output::MEMBERS;
+use super::statements::spring;
+use super::statements::spring::parts;
+use super::statements::{drive_by, stop, unknown};
+use super::{effort_formulas, uses};
 use crate::syntax::action::ACTING;
 
 /// Outputs of the whole mechanism.
@@ -33,7 +36,7 @@ pub(super) fn effort_output(
     member: &Ident,
 ) -> bool {
     if scope.names.kind(owner) == Some(Kind::Spring) {
-        spring_damper::spring_output(scope, docs, owner, member);
+        spring::spring_output(scope, docs, owner, member);
         return true;
     }
     let Some(found) = effort_named(scope, owner, member) else { return false };
@@ -59,10 +62,8 @@ pub(super) fn effort_named(
     let is_of_a_drive = ["drive", "push", "force", "torque"].contains(&&word[..]);
     match scope.names.kind(owner) {
         Some(Kind::Input) if is_of_a_drive => Some(input_effort(scope, owner, member)),
-        Some(Kind::Unknown) if is_of_a_drive => {
-            Some(unknowns::unknown_effort(scope, owner, member))
-        }
-        Some(Kind::Stop) => Some(end_stops::effort_of_stop(scope, owner, member)),
+        Some(Kind::Unknown) if is_of_a_drive => Some(unknown::unknown_effort(scope, owner, member)),
+        Some(Kind::Stop) => Some(stop::effort_of_stop(scope, owner, member)),
         Some(Kind::Link) if scope.names.kind(member) == Some(Kind::Point) && is_meant(&word) => {
             match uses::link(scope, owner) {
                 Some(link) if touches(scope, link, member) => {
@@ -110,7 +111,7 @@ pub(super) fn output_of_the_whole(scope: &mut Scope<'_>, docs: &[Attribute], nam
             ask(scope, docs, name, name, Effort::Shaking);
         }
         "centre_of_mass" if has_mass || a_force_may_be_unread(scope) => {
-            outputs::give(scope, name.span(), name.clone(), docs, OutputKind::CentreOfMass);
+            output::give(scope, name.span(), name.clone(), docs, OutputKind::CentreOfMass);
         }
         "losses" => {
             if effort_formulas::something_rubs(scope, name).is_some() {
@@ -138,9 +139,7 @@ fn input_effort(scope: &mut Scope<'_>, owner: &Ident, member: &Ident) -> Option<
         return None;
     }
     match uses::usable(scope, owner, &[Kind::Input])? {
-        Entity::Input(id) => {
-            driving_load::has_a_drive(scope, owner, id).map(|()| Effort::Input(id))
-        }
+        Entity::Input(id) => drive_by::has_a_drive(scope, owner, id).map(|()| Effort::Input(id)),
         _ => None,
     }
 }
@@ -158,7 +157,7 @@ fn driven_effort(
     });
     if let Some(&(_, effort)) = found {
         if effort == Effort::Drive(link) {
-            driving_load::link_has_a_drive(scope, owner, link)?;
+            drive_by::link_has_a_drive(scope, owner, link)?;
         }
         return Some(effort);
     }
@@ -258,7 +257,7 @@ pub(super) fn ask(
         let reason = "declare what does: `mass 2kg on BC uniform`, `force (0, -10N) on P`";
         return scope.diagnostics.error_because(member.span(), message, reason);
     }
-    if unknowns::effort_is_known(scope, member, effort).is_none() {
+    if unknown::effort_is_known(scope, member, effort).is_none() {
         return;
     }
     let (own, field) = (owner.clone(), member.clone());
@@ -317,7 +316,7 @@ pub(super) fn every_effort_is_given(scope: &mut Scope<'_>) {
         let effort = Effort::Spring(SpringId(index as u32));
         Some(RequestedEffort { owner, field, docs: spring.docs.clone(), effort })
     });
-    let springs: Vec<_> = springs.chain(end_stops::efforts_of_stops(scope)).collect();
+    let springs: Vec<_> = springs.chain(stop::efforts_of_stops(scope)).collect();
     let losses = losses_of_all(scope);
     let mut asked: Vec<RequestedEffort> =
         inputs.into_iter().chain(links).chain(springs).chain(losses).collect();

@@ -15,7 +15,8 @@ use super::link_efforts;
 use super::mechanism::{Carrier, Dimension, LinkId, Scalar};
 use super::names::{Kind, listed};
 use super::scope::Scope;
-use super::{dynamics_outputs, numbers, spring_damper, unknowns, uses};
+use super::statements::{spring, unknown};
+use super::{dynamics_outputs, numbers, uses};
 
 /// A power: what friction takes.
 const POWER: Dimension = Dimension { time: -3, ..Dimension::TORQUE };
@@ -71,7 +72,7 @@ pub(super) fn effort_read(
     member: &Ident,
 ) -> Option<Option<ResolvedExpr>> {
     if let Some(Kind::Spring) = scope.names.kind(owner) {
-        let effort = spring_damper::effort_of_spring(scope, owner, member);
+        let effort = spring::effort_of_spring(scope, owner, member);
         return Some(effort.and_then(|effort| reading(scope, member, effort, 0)));
     }
     let whole = (owner == "shaking").then(|| ["x", "y", "couple"].iter().position(|p| member == p));
@@ -238,7 +239,7 @@ fn friction_named(
 
 /// A component of an effort, which an output reads.
 fn reading(scope: &mut Scope<'_>, at: &Ident, effort: Effort, part: usize) -> Option<ResolvedExpr> {
-    unknowns::effort_is_known(scope, at, effort)?;
+    unknown::effort_is_known(scope, at, effort)?;
     let reads = Reads { efforts: vec![effort], ..Reads::default() };
     let measure = Measure::Known(dimension_of(scope, effort, part));
     Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, Scalar::Effort(effort, part)) })

@@ -11,7 +11,8 @@ use super::facts::Reads;
 use super::mechanism::{AngleSum, Dimension, LinkId, Operator, ParamKind, Scalar};
 use super::names::{Entity, Kind, NUMBERS};
 use super::scope::Scope;
-use super::{calls, driving_load, effort_formulas, laws, literals, readings, spring_damper, uses};
+use super::statements::{drive_by, named, spring};
+use super::{calls, effort_formulas, literals, readings, uses};
 
 /// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
 pub(super) struct ResolvedExpr {
@@ -141,7 +142,7 @@ pub(super) fn expression(
             let quantity = match () {
                 () if function == DISTANCE => readings::distance(scope, function, arguments),
                 () if function == OFFSET => readings::offset_from_guide(scope, function, arguments),
-                () if function == RATE => spring_damper::rate(scope, function, arguments, allowed),
+                () if function == RATE => spring::rate(scope, function, arguments, allowed),
                 () => calls::call(scope, function, arguments, allowed),
             }?;
             literals::number_is_of_a_length(scope, expr.span, quantity.rest.constant())?;
@@ -196,7 +197,7 @@ fn operation(
 
 fn named_number(scope: &mut Scope<'_>, name: &Ident, allowed: Allowed) -> Option<ResolvedExpr> {
     if scope.names.kind(name) == Some(Kind::Load) {
-        return driving_load::value_of_load(scope, name, allowed);
+        return drive_by::value_of_load(scope, name, allowed);
     }
     match uses::usable(scope, name, &NUMBERS)? {
         Entity::Input(id) => {
@@ -213,7 +214,7 @@ fn named_number(scope: &mut Scope<'_>, name: &Ident, allowed: Allowed) -> Option
             Some(ResolvedExpr::plain(measure, Scalar::Param(id)))
         }
         entity @ (Entity::Let(_) | Entity::Law(_)) => {
-            laws::value_of_let(scope, name, entity, allowed)
+            named::value_of_let(scope, name, entity, allowed)
         }
         Entity::Unknown(id) => {
             let measure = Measure::Known(scope.mechanism.unknowns[id.index()].dimension);

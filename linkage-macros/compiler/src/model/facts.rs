@@ -9,11 +9,11 @@ use crate::syntax::tree::Declaration;
 
 use super::acting::Effort;
 use super::dimension::Measure;
-use super::driving_load;
 use super::literals::longest_in_small_units;
 use super::mechanism::{Carrier, GuideId, PointId, Scalar};
 use super::names::Entity;
 use super::searched::Searched;
+use super::statements::drive_by;
 
 #[derive(Default)]
 pub(super) struct Facts {
@@ -136,7 +136,7 @@ impl Facts {
     /// The facts that hold before the first statement is resolved.
     pub(super) fn of(tree: &Declaration) -> Self {
         let longest_in_small_units = longest_in_small_units(tree);
-        let driving = driving_load::named_by(tree).map(Ident::to_string);
+        let driving = drive_by::named_by(tree).map(Ident::to_string);
         Self { longest_in_small_units, driving, ..Self::default() }
     }
 

@@ -4,13 +4,13 @@ use crate::exact::Exact;
 use crate::syntax::anatomy::JointRule;
 use crate::syntax::tree;
 
-use super::dyads::{OuterJoint, Parts};
 use super::expressions::bare_name;
 use super::mechanism::{
     AngleSum, Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId,
     Scalar, Slideway,
 };
 use super::scope::Scope;
+use super::statements::group::{OuterJoint, Parts};
 use super::{assembly, modes, numbers, uses};
 
 /// The numbers that the fields of a group give, as far as they are right.

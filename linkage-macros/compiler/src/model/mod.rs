@@ -1,4 +1,4 @@
-//! Names into typed ids, dimensions, and one function per rule.
+//! Names into typed ids, dimensions, and one function per rule; one file a statement.
 //!
 //! [`resolve`] walks the statements in order. Every statement makes what it declares, then looks
 //! at what it was given; a name can be used from the next statement on. A mistake is reported
@@ -11,20 +11,16 @@
 //! together by the theorem of cosines.
 
 pub(crate) mod acting;
-mod actions;
 mod assembly;
 mod calls;
 mod class_three;
 mod coincidence;
-mod contacts;
+mod declared;
 mod dimension;
 mod drawn;
-mod driving_load;
-mod dyads;
 mod dynamics_outputs;
 mod effort;
 mod effort_formulas;
-mod end_stops;
 mod exponents;
 mod expr;
 mod expressions;
@@ -32,49 +28,42 @@ mod facts;
 mod fields;
 mod findings;
 mod folding;
-mod guides;
 mod ids;
 mod incidence;
-mod inputs;
 mod jointed;
-mod laws;
+mod kinds;
 mod left_out;
 mod link_efforts;
 mod literals;
-mod masses;
 pub(crate) mod mechanism;
 pub(crate) mod modes;
 mod names;
 mod needs;
 mod numbers;
 mod order;
-mod outputs;
-mod points;
 mod readings;
 mod references;
 mod relations;
 mod rotatability;
 mod scope;
 mod searched;
-mod settings;
-mod solves;
-mod spring_damper;
+mod statements;
 mod step;
 mod stub;
 mod titles;
 pub(crate) mod units;
-mod unknowns;
 mod uses;
 
 #[cfg(test)]
 mod tests;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Declaration, Statement, StatementKind};
+use crate::syntax::tree::{Declaration, Statement};
 
-pub(crate) use driving_load::load_does_no_work;
 use mechanism::Mechanism;
 use scope::Scope;
+pub(crate) use statements::drive_by::load_does_no_work;
+use statements::{acts, friction, input, output, rules, unknown};
 
 /// The stub of a declaration in which something was reported.
 pub(crate) struct Stub(pub Box<Mechanism>);
@@ -136,17 +125,17 @@ fn walked<'d>(
 ) -> Scope<'d> {
     let mut scope = Scope::new(tree, &tree.unread, diagnostics);
     statements(&mut scope, tree);
-    unknowns::every_unknown_is_solved(&mut scope, tree);
-    contacts::frictions(&mut scope, tree);
-    outputs::outputs(&mut scope, tree);
+    unknown::every_unknown_is_solved(&mut scope, tree);
+    friction::frictions(&mut scope, tree);
+    output::outputs(&mut scope, tree);
     order::statements_are_in_order(&mut scope, tree);
     literals::bare_lengths_are_of_a_machine(&mut scope);
-    inputs::an_input_is_declared(&mut scope, tree);
-    inputs::every_input_is_used(&mut scope, tree, turned.is_some());
-    actions::actions_have_an_effect(&mut scope, tree);
+    input::an_input_is_declared(&mut scope, tree);
+    input::every_input_is_used(&mut scope, tree, turned.is_some());
+    acts::actions_have_an_effect(&mut scope, tree);
     scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);
     rotatability::cranks_can_turn(&mut scope);
-    unknowns::ends_can_be_assembled(&mut scope);
+    unknown::ends_can_be_assembled(&mut scope);
     drawn::directions_are_as_written(&mut scope, turned.unwrap_or_default());
     scope
 }
@@ -155,44 +144,13 @@ fn statements(scope: &mut Scope<'_>, tree: &Declaration) {
     for (index, next) in tree.statements.iter().enumerate() {
         scope.names.go_to(index);
         statement(scope, next);
-        unknowns::note_what_follows(scope, next);
+        unknown::note_what_follows(scope, next);
     }
     scope.names.go_to(tree.statements.len());
 }
 
 fn statement(scope: &mut Scope<'_>, statement: &Statement) {
-    let docs = &statement.docs;
     // What a statement makes moves if anything that it uses does.
     let moves = uses::uses(scope, statement, |scope, entity| scope.facts.moves(entity));
-    match &statement.kind {
-        StatementKind::Input { names, kind } => inputs::input(scope, docs, names, kind.as_ref()),
-        StatementKind::Param { name, kind, default } => {
-            inputs::param(scope, docs, name, kind.as_ref(), default);
-        }
-        StatementKind::Let { name, value } => laws::named_expression(scope, name, value, moves),
-        StatementKind::Unknown { name, kind, between } => {
-            unknowns::unknown(scope, docs, name, kind.as_ref(), between.as_ref());
-        }
-        StatementKind::Solve(solve) => solves::solve(scope, solve),
-        StatementKind::Ground { points } => points::ground(scope, docs, points),
-        StatementKind::Guide { name, on, through, course } => {
-            guides::guide_line(scope, name, on.as_ref(), through, course, moves);
-        }
-        StatementKind::Point { name, on, place } => {
-            points::placed_point(scope, docs, name, on.as_ref(), place, moves);
-        }
-        StatementKind::Group(group) => dyads::group(scope, docs, group, moves),
-        // Outputs may name anything, wherever they stand: they come last. Drawn links were made
-        // into groups.
-        StatementKind::Output { .. }
-        | StatementKind::Pin { .. }
-        | StatementKind::Link { .. }
-        | StatementKind::Drive(_) => {}
-        StatementKind::DriveBy { input, load } => driving_load::drive_by(scope, input, load),
-        StatementKind::Load { names, kind } => actions::load(scope, docs, names, kind.as_ref()),
-        StatementKind::Action(action) => actions::action(scope, docs, action),
-        StatementKind::Numerics { mode } => settings::numerics(scope, mode),
-        StatementKind::Crate { path } => settings::crate_path(scope, path),
-        StatementKind::Export { language } => settings::export(scope, language),
-    }
+    rules(statement).resolve(scope, &statement.docs, moves);
 }

@@ -8,11 +8,12 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{Action, Declaration, Statement, StatementKind};
+use crate::syntax::tree::{Declaration, Statement, StatementKind};
 
 use super::mechanism::{
     GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
 };
+use super::statements::rules;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -196,68 +197,14 @@ fn solved(statement: &Statement) -> Option<String> {
     }
 }
 
-/// The names a statement declares. The name of an output is not among them: it is a field of the
-/// result alone.
+/// The names a statement declares.
 pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
-    match &statement.kind {
-        StatementKind::Input { names, .. } => names.iter().map(|n| (n, Kind::Input)).collect(),
-        StatementKind::Param { name, .. } => vec![(name, Kind::Param)],
-        StatementKind::Let { name, .. } => vec![(name, Kind::Let)],
-        StatementKind::Unknown { name, .. } => vec![(name, Kind::Unknown)],
-        StatementKind::Ground { points } => points.iter().map(|p| (&p.0, Kind::Point)).collect(),
-        StatementKind::Pin { points } => points.iter().map(|p| (&p.0, Kind::Point)).collect(),
-        StatementKind::Link { links, .. } => links.iter().map(|l| (&l.name, Kind::Link)).collect(),
-        StatementKind::Guide { name, .. } => vec![(name, Kind::Guide)],
-        StatementKind::Point { name, .. } => vec![(name, Kind::Point)],
-        StatementKind::Group(group) => {
-            let links = group.legs.iter().map(|leg| (&leg.link, Kind::Link));
-            links.chain(group.pin.iter().map(|pin| (pin, Kind::Point))).collect()
-        }
-        StatementKind::Load { names, .. } => names.iter().map(|n| (n, Kind::Load)).collect(),
-        StatementKind::Action(Action::Spring { name, .. }) => {
-            name.iter().map(|name| (name, Kind::Spring)).collect()
-        }
-        StatementKind::Action(Action::Stop(stop)) => {
-            stop.name.iter().map(|name| (name, Kind::Stop)).collect()
-        }
-        StatementKind::Solve(_)
-        | StatementKind::Drive(_)
-        | StatementKind::DriveBy { .. }
-        | StatementKind::Action(_)
-        | StatementKind::Output { .. }
-        | StatementKind::Numerics { .. }
-        | StatementKind::Crate { .. }
-        | StatementKind::Export { .. } => Vec::new(),
-    }
+    rules(statement).declares()
 }
 
 /// The statement that declares `name`, as messages call it.
 pub(super) fn title(statement: &Statement, name: &str) -> String {
-    match &statement.kind {
-        StatementKind::Input { .. } => format!("input {name}"),
-        StatementKind::Param { .. } => format!("param {name}"),
-        StatementKind::Let { .. } => format!("let {name}"),
-        StatementKind::Unknown { .. } => format!("unknown {name}"),
-        StatementKind::Solve(solve) => format!("solve {}", solve.unknown),
-        StatementKind::Ground { .. } => format!("ground {name}"),
-        StatementKind::Pin { .. } => format!("pin {name}"),
-        StatementKind::Link { .. } => format!("link {name}"),
-        StatementKind::Drive(drive) => format!("drive {}.{}", drive.link, drive.member),
-        StatementKind::DriveBy { input, load } => format!("drive {input} by {load}"),
-        StatementKind::Guide { .. } => format!("guide {name}"),
-        StatementKind::Point { .. } => format!("point {name}"),
-        StatementKind::Group(group) => {
-            format!("{} {}", group.keyword, group.title())
-        }
-        StatementKind::Load { .. } => format!("load {name}"),
-        StatementKind::Action(Action::Spring { .. }) => format!("spring {name}"),
-        StatementKind::Action(Action::Stop(_)) => format!("stop {name}"),
-        StatementKind::Action(_)
-        | StatementKind::Output { .. }
-        | StatementKind::Numerics { .. }
-        | StatementKind::Crate { .. }
-        | StatementKind::Export { .. } => String::new(),
-    }
+    rules(statement).title(name)
 }
 
 /// "a, b or c"

@@ -7,12 +7,13 @@ use proc_macro2::Ident;
 
 use crate::syntax::tree::{Declaration, StatementKind};
 
+use super::class_three;
 use super::expressions::Allowed;
 use super::facts::Reads;
 use super::names::{Entity, declared_by, listed, title};
 use super::needs::Needs;
 use super::scope::Scope;
-use super::{class_three, laws};
+use super::statements::named;
 
 const TWO_UNKNOWNS: &str = "only drivers and dyads are solved in closed form; drive the chain at another \
                             link, so that each dyad stands on what is known";
@@ -21,7 +22,7 @@ const TWO_UNKNOWNS: &str = "only drivers and dyads are solved in closed form; dr
 fn law_in_a_dimension(scope: &Scope<'_>, tree: &Declaration) -> Option<(Ident, Reads)> {
     let uses = scope.names.too_early.iter().filter(|use_| {
         let user = &tree.statements[use_.user].kind;
-        !matches!(user, StatementKind::Let { .. } | StatementKind::Action(_))
+        !matches!(user, StatementKind::Let(_) | StatementKind::Action(_))
     });
     uses.filter_map(|use_| match scope.names.made(&use_.name)? {
         Entity::Law(id) => Some((use_.name.clone(), scope.facts.laws[id.index()].reads.clone())),
@@ -35,7 +36,7 @@ fn law_in_a_dimension(scope: &Scope<'_>, tree: &Declaration) -> Option<(Ident, R
 pub(super) fn statements_are_in_order(scope: &mut Scope<'_>, tree: &Declaration) {
     if let Some((name, reads)) = law_in_a_dimension(scope, tree) {
         // No order would help.
-        laws::law_stands_here(scope, &name, &reads, Allowed::IN_DIMENSIONS);
+        named::law_stands_here(scope, &name, &reads, Allowed::IN_DIMENSIONS);
         return;
     }
     let Some(first) = scope.names.too_early.first() else {

@@ -8,30 +8,26 @@ mod result_fields;
 #[cfg(test)]
 mod tests;
 
+use super::declared;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
-use crate::exact::Exact;
 use crate::syntax::action::ACTING;
-use crate::syntax::anatomy::{GroupSpec, Modes, Pin};
-use crate::syntax::tree::{self, Action, Declaration, Statement, StatementKind};
+use crate::syntax::anatomy::{GroupSpec, Pin};
+use crate::syntax::tree::{
+    self, Declaration, LinkStatement, OutputStatement, Statement, StatementKind,
+};
 
-use super::acting::{
-    Dynamics, Effort, Ends, Load, Magnitude, Mass, MassPlace, RequestedEffort, Spring, Stop,
-    Stopped,
-};
-use super::dimension::Measure;
-use super::expressions::bare_name;
-use super::facts::{GuideFacts, ParamFacts};
+use super::acting::{Dynamics, Effort, Magnitude, Mass, MassPlace, RequestedEffort};
+use super::dynamics_outputs;
 use super::mechanism::{
-    AngleSum, Carrier, DeclaredOutput, Dimension, GroupId, GroupName, Guide, GuideId, Input,
-    InputId, Mechanism, Numerics, OutputKind, Param, ParamId, ParamKind, PartOf, PointId,
-    References, Scalar, Sign, SpringId, StopId,
+    DeclaredOutput, Dimension, GroupId, GroupName, Input, Mechanism, Numerics, OutputKind, PartOf,
+    PointId, References, Scalar,
 };
-use super::modes::mode_word;
 use super::names::{Entity, Kind, declared_by};
 use super::scope::Scope;
-use super::{actions, dyads, dynamics_outputs, outputs, spring_damper};
+use super::statements::output;
+use super::statements::rules;
 
 const NUMBER: Dimension = Dimension::NUMBER;
 
@@ -64,136 +60,23 @@ pub(super) fn stub(mut scope: Scope<'_>, tree: &Declaration) -> Mechanism {
 
 /// Makes what the names of a statement stand for, where the statement was not understood.
 fn every_name_has_a_place(scope: &mut Scope<'_>, statement: &Statement) {
-    let mut group = None;
-    for (name, kind) in declared_by(statement) {
+    let rules = rules(statement);
+    for (name, kind) in rules.declares() {
         if scope.names.made(name).is_some() || scope.names.kind(name) != Some(kind) {
             continue;
         }
-        let entity = match kind {
-            Kind::Point | Kind::Link => {
-                let known = group.filter(|_| matches!(statement.kind, StatementKind::Group(_)));
-                let group =
-                    *group.insert(known.unwrap_or_else(|| group_of_stub(scope, statement, name)));
-                body_of_stub(scope, statement, name, kind, group)
-            }
-            _ => number_of_stub(scope, statement, name),
-        };
-        if let Some(entity) = entity {
+        if let Some(entity) = rules.stand_in(scope, &statement.docs, name) {
             scope.names.bind(name, entity);
         }
     }
 }
 
-/// The group that a statement would have made, or a point by itself.
-fn group_of_stub(scope: &mut Scope<'_>, statement: &Statement, name: &Ident) -> GroupId {
-    let id = dyads::next_group(scope);
-    let keyword = |word| Ident::new(word, name.span());
-    let (keyword, title) = match &statement.kind {
-        StatementKind::Group(group) => (group.keyword.clone(), group.title()),
-        StatementKind::Link { .. } => (keyword("link"), name.to_string()),
-        StatementKind::Pin { .. } => (keyword("pin"), name.to_string()),
-        _ => (keyword("point"), name.to_string()),
-    };
-    scope.mechanism.groups.push(GroupName { keyword, title });
+/// The group that a name stands for by itself in a stub.
+pub(super) fn group_by_itself(scope: &mut Scope<'_>, keyword: &str, name: &Ident) -> GroupId {
+    let id = declared::next_group(scope);
+    let keyword = Ident::new(keyword, name.span());
+    scope.mechanism.groups.push(GroupName { keyword, title: name.to_string() });
     id
-}
-
-fn body_of_stub(
-    scope: &mut Scope<'_>,
-    statement: &Statement,
-    name: &Ident,
-    kind: Kind,
-    made_by: GroupId,
-) -> Option<Entity> {
-    let part_of = match &statement.kind {
-        StatementKind::Group(group) if kind == Kind::Link => {
-            let place = group.legs.iter().position(|leg| leg.link == *name)?;
-            // Where the group is not known, its links have every field.
-            let anatomy = GroupSpec::of(&group.keyword.to_string());
-            let slides = anatomy.is_none_or(|anatomy| anatomy.slides().get(place) == Some(&true));
-            return Some(Entity::Link(dyads::new_link(
-                scope,
-                &statement.docs,
-                name,
-                made_by,
-                slides,
-            )));
-        }
-        StatementKind::Link { links, .. } => {
-            let link = links.iter().find(|link| link.name == *name)?;
-            let slides = !link.on.is_empty();
-            return Some(Entity::Link(dyads::new_link(
-                scope,
-                &statement.docs,
-                name,
-                made_by,
-                slides,
-            )));
-        }
-        StatementKind::Ground { .. } => PartOf::Ground,
-        _ => PartOf::Pin(made_by),
-    };
-    Some(Entity::Point(dyads::new_point(scope, &statement.docs, name, part_of)))
-}
-
-fn number_of_stub(scope: &mut Scope<'_>, statement: &Statement, name: &Ident) -> Option<Entity> {
-    let (name, docs) = (name.clone(), statement.docs.clone());
-    let Mechanism { inputs, params, guides, .. } = &mut scope.mechanism;
-    Some(match &statement.kind {
-        StatementKind::Input { .. } => {
-            inputs.push(Input { name, docs, dimension: NUMBER });
-            Entity::Input(InputId(inputs.len() as u32 - 1))
-        }
-        StatementKind::Load { .. } => {
-            actions::new_load(scope, Load { name, docs, dimension: NUMBER })
-        }
-        StatementKind::Param { kind, default, .. } => {
-            let is_mode = kind.as_ref().is_some_and(|kind| kind == "mode");
-            let kind = match bare_name(default).and_then(mode_word) {
-                Some(mode) => mode,
-                None if is_mode => ParamKind::Mode { of: Modes::ALL[0], default: Sign::Plus },
-                None => ParamKind::Number {
-                    dimension: NUMBER,
-                    default: Exact::integer(0),
-                    written_in: None,
-                },
-            };
-            params.push(Param { name, docs, kind });
-            let (measure, span) = (Measure::NUMBER, default.span);
-            scope.facts.params.push(ParamFacts { measure, span, blamed: true });
-            Entity::Param(ParamId(params.len() as u32 - 1))
-        }
-        StatementKind::Guide { .. } => {
-            guides.push(Guide { name });
-            let carrier = Carrier::Ground;
-            let facts = GuideFacts { moves: false, carrier, line: None, angle: None };
-            scope.facts.guides.push(facts);
-            Entity::Guide(GuideId(guides.len() as u32 - 1))
-        }
-        StatementKind::Action(Action::Spring { ends, .. }) => {
-            let ends = match spring_damper::is_between_bodies(scope, ends)
-                || scope.mechanism.points.is_empty()
-            {
-                true => Ends::Bodies([Carrier::Ground; 2]),
-                false => Ends::Points([PointId(0); 2]),
-            };
-            let [stiffness, damping, free] = [(); 3].map(|()| Magnitude::zero());
-            let name = Some(name);
-            let springs = &mut scope.mechanism.dynamics.springs;
-            springs.push(Spring { name, docs, ends, stiffness, damping, free });
-            Entity::Spring(SpringId(springs.len() as u32 - 1))
-        }
-        StatementKind::Action(Action::Stop(_)) => {
-            let of = Stopped::Angle(AngleSum { links: Vec::new(), rest: Scalar::zero() });
-            let ends = [(); 2].map(|()| Scalar::zero());
-            let [stiffness, damping] = [(); 2].map(|()| Magnitude::zero());
-            let name = Some(name);
-            let stops = &mut scope.mechanism.dynamics.stops;
-            stops.push(Stop { name, docs, of, ends, stiffness, damping });
-            Entity::Stop(StopId(stops.len() as u32 - 1))
-        }
-        _ => return None,
-    })
 }
 
 /// Resolves the requested outputs. If one of them is not understood, it may be any of the names:
@@ -205,10 +88,10 @@ fn outputs_of_stub(scope: &mut Scope<'_>, tree: &Declaration) {
     scope.mechanism.dynamics.energy = false;
     let (mut is_asked, mut is_understood) = (false, true);
     for statement in &tree.statements {
-        let StatementKind::Output { items } = &statement.kind else { continue };
+        let StatementKind::Output(OutputStatement { items }) = &statement.kind else { continue };
         for item in items {
             is_asked = true;
-            outputs::output(scope, &statement.docs, item);
+            output::output(scope, &statement.docs, item);
             result_fields::named_output_of_stub(scope, tree, item);
             is_understood &= result_fields::is_given(scope, item);
         }
@@ -238,7 +121,7 @@ fn every_name_is_given(scope: &mut Scope<'_>, tree: &Declaration, with_ground: b
         let output = match scope.names.made(name) {
             Some(Entity::Point(id)) if is_in_ground(id) && !with_ground => None,
             Some(it @ (Entity::Point(_) | Entity::Link(_) | Entity::Unknown(_))) => {
-                outputs::whole(scope, it)
+                output::whole(scope, it)
             }
             None if kind == Kind::Unknown => {
                 Some(DeclaredOutput { field: name.clone(), docs: Vec::new(), kind: number() })
@@ -253,12 +136,8 @@ fn every_name_is_given(scope: &mut Scope<'_>, tree: &Declaration, with_ground: b
 
 /// Every effort and reaction, where something may have mass or act.
 fn every_force_of_stub(scope: &mut Scope<'_>, tree: &Declaration) {
-    let acts = |statement: &Statement| {
-        matches!(&statement.kind,
-        StatementKind::Action(action) if !matches!(action, Action::Gravity { .. }))
-    };
     let is_unread = ACTING.iter().any(|word| tree.unread.may_hold(word));
-    if !is_unread && !tree.statements.iter().any(acts) {
+    if !is_unread && !tree.statements.iter().any(|statement| rules(statement).acts()) {
         return;
     }
     if scope.mechanism.dynamics.masses.is_empty() {
@@ -271,7 +150,7 @@ fn every_force_of_stub(scope: &mut Scope<'_>, tree: &Declaration) {
     for statement in &tree.statements {
         match &statement.kind {
             StatementKind::Group(group) => forces_of_group(scope, group),
-            StatementKind::Link { links, .. } => {
+            StatementKind::Link(LinkStatement { links, .. }) => {
                 links.iter().for_each(|link| forces_of_drawn(scope, link));
             }
             _ => {}

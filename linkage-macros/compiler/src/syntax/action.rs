@@ -6,7 +6,9 @@ use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{
-    Action, FrictionSite, FrictionStatement, GroupStatement, MassSite, StatementKind, StopStatement,
+    Action, ForceBetweenStatement, ForceStatement, FrictionSite, FrictionStatement,
+    GravityStatement, GroupStatement, InertiaStatement, LoadStatement, MassSite, MassStatement,
+    SpringStatement, StatementKind, StopStatement, TorqueBetweenStatement, TorqueStatement,
 };
 
 /// Words that say that something has mass or acts.
@@ -66,7 +68,7 @@ impl Parser<'_> {
             ),
         };
         let kind = self.or_skip(kind, None);
-        Ok(StatementKind::Load { names, kind })
+        Ok(StatementKind::Load(LoadStatement { names, kind }))
     }
 
     fn gravity(&mut self, at: Span) -> Parse<Action> {
@@ -76,7 +78,7 @@ impl Parser<'_> {
                 "gravity is an acceleration in ground axes: `gravity (0, -9.81);`",
             );
         }
-        Ok(Action::Gravity { at, value: self.pair("`(gx, gy)`")? })
+        Ok(Action::Gravity(GravityStatement { at, value: self.pair("`(gx, gy)`")? }))
     }
 
     fn mass(&mut self) -> Parse<Action> {
@@ -104,7 +106,7 @@ impl Parser<'_> {
             true => Some(self.expression()?),
             false => None,
         };
-        Ok(Action::Mass { value, on, place, inertia })
+        Ok(Action::Mass(MassStatement { value, on, place, inertia }))
     }
 
     fn inertia(&mut self) -> Parse<Action> {
@@ -112,7 +114,7 @@ impl Parser<'_> {
         if !self.take_word("on") {
             return self.expected_because("`on`", "an inertia is `inertia 0.1(kg*m^2) on AB`");
         }
-        Ok(Action::Inertia { value, on: self.name_of("a link")? })
+        Ok(Action::Inertia(InertiaStatement { value, on: self.name_of("a link")? }))
     }
 
     fn force(&mut self) -> Parse<Action> {
@@ -136,7 +138,7 @@ impl Parser<'_> {
                 return self
                     .refuse_because(&message, "a force acts on a point, by its name: `… on P`");
             }
-            return Ok(Action::Force { value, axes, on });
+            return Ok(Action::Force(ForceStatement { value, axes, on }));
         }
         let value = self.expression()?;
         if let (true, Some(axes)) = (self.is_word(0, "in"), self.peek_ident(1)) {
@@ -151,7 +153,7 @@ impl Parser<'_> {
             );
         }
         let points = self.ends("a point", FORCE_FORMS)?;
-        Ok(Action::ForceBetween { value, points })
+        Ok(Action::ForceBetween(ForceBetweenStatement { value, points }))
     }
 
     /// True if the parentheses that stand next hold two components.
@@ -167,10 +169,10 @@ impl Parser<'_> {
     fn torque(&mut self) -> Parse<Action> {
         let value = self.expression()?;
         if self.take_word("on") {
-            return Ok(Action::Torque { value, on: self.name_of("a link")? });
+            return Ok(Action::Torque(TorqueStatement { value, on: self.name_of("a link")? }));
         }
         let bodies = self.ends("a link or `ground`", TORQUE_FORMS)?;
-        Ok(Action::TorqueBetween { value, bodies })
+        Ok(Action::TorqueBetween(TorqueBetweenStatement { value, bodies }))
     }
 
     fn spring(&mut self, keyword: &Ident) -> Parse<Action> {
@@ -185,7 +187,7 @@ impl Parser<'_> {
         let ends = self.ends("a point or a link", SPRING_FORM)?;
         let mut fields = GroupStatement::without_links(keyword.clone(), self.end());
         self.fields_in_braces(&mut fields);
-        Ok(Action::Spring { name, ends, fields })
+        Ok(Action::Spring(SpringStatement { name, ends, fields }))
     }
 
     fn stop(&mut self, keyword: &Ident) -> Parse<Action> {

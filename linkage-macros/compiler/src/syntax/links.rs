@@ -3,7 +3,10 @@
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
 use super::tokens::{Parse, Parser};
-use super::tree::{DrawnLink, DriveStatement, GroupStatement, StatementKind};
+use super::tree::{
+    DrawnLink, DriveByStatement, DriveStatement, GroundStatement, GroupStatement, LinkStatement,
+    PinStatement, StatementKind,
+};
 
 const LINK: &str =
     "a link is named with the pins through it, its first one in front: `link BC(B, C);`";
@@ -16,7 +19,9 @@ impl Parser<'_> {
     /// `pin B(80mm, 0), C(600mm, 360mm);`: read like points of the ground.
     pub(super) fn pins(&mut self) -> Parse<StatementKind> {
         Ok(match self.ground()? {
-            StatementKind::Ground { points } => StatementKind::Pin { points },
+            StatementKind::Ground(GroundStatement { points }) => {
+                StatementKind::Pin(PinStatement { points })
+            }
             other => other,
         })
     }
@@ -38,7 +43,7 @@ impl Parser<'_> {
             }
             false => None,
         };
-        Ok(StatementKind::Link { links, fields })
+        Ok(StatementKind::Link(LinkStatement { links, fields }))
     }
 
     /// True if the statement that was just read ended with its braces.
@@ -91,7 +96,10 @@ impl Parser<'_> {
             if self.peek_ident(0).is_none() {
                 return self.expected_because("a load", BY);
             }
-            return Ok(StatementKind::DriveBy { input, load: self.name_of("a load")? });
+            return Ok(StatementKind::DriveBy(DriveByStatement {
+                input,
+                load: self.name_of("a load")?,
+            }));
         }
         let (link, member) = self.driven()?;
         let to = match self.take_punct('-') {

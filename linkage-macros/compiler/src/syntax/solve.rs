@@ -4,7 +4,7 @@ use super::anatomy::Modes;
 use proc_macro2::{Delimiter, Ident};
 
 use super::tokens::{Parse, Parser};
-use super::tree::{Expr, Solve, StatementKind};
+use super::tree::{Expr, Solve, StatementKind, UnknownStatement};
 
 const UNKNOWN: &str = "an unknown is `unknown theta: angle between (10deg, 170deg);`";
 const SOLVE: &str = "it reads `solve theta { ram.slide = x, mode: falling }`";
@@ -15,7 +15,7 @@ impl Parser<'_> {
         let mut kind = None;
         let between = self.ends_of_unknown(&name, &mut kind).map(Some);
         let between = self.or_skip(between, None);
-        Ok(StatementKind::Unknown { name, kind, between })
+        Ok(StatementKind::Unknown(UnknownStatement { name, kind, between }))
     }
 
     /// `: angle between (…, …)`

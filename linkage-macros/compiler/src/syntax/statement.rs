@@ -7,7 +7,11 @@
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Course, Expr, GuideAnchor, OutputItem, PointPlace, StatementKind};
+use super::tree::{
+    Course, CrateStatement, ExportStatement, Expr, GroundStatement, GuideAnchor, GuideStatement,
+    InputStatement, LetStatement, NumericsStatement, OutputItem, OutputStatement, ParamStatement,
+    PointPlace, PointStatement, StatementKind,
+};
 
 const COORDINATES: &str = "`(x, y)`";
 
@@ -53,7 +57,7 @@ impl Parser<'_> {
         let first = names[0].clone();
         let kind = self.kind_of_input(&first).map(Some);
         let kind = self.or_skip(kind, None);
-        Ok(StatementKind::Input { names, kind })
+        Ok(StatementKind::Input(InputStatement { names, kind }))
     }
 
     fn kind_of_input(&mut self, name: &Ident) -> Parse<Ident> {
@@ -99,7 +103,7 @@ impl Parser<'_> {
         };
         let default = self.default_of_param(&name);
         let default = self.or_skip(default, mistake(&name));
-        Ok(StatementKind::Param { name, kind, default })
+        Ok(StatementKind::Param(ParamStatement { name, kind, default }))
     }
 
     fn default_of_param(&mut self, name: &Ident) -> Parse<Expr> {
@@ -127,7 +131,7 @@ impl Parser<'_> {
             () => self.expected("`=`"),
         };
         let value = self.or_skip(value, mistake(&name));
-        Ok(StatementKind::Let { name, value })
+        Ok(StatementKind::Let(LetStatement { name, value }))
     }
 
     pub(super) fn ground(&mut self) -> Parse<StatementKind> {
@@ -159,7 +163,7 @@ impl Parser<'_> {
                 break;
             }
         }
-        Ok(StatementKind::Ground { points })
+        Ok(StatementKind::Ground(GroundStatement { points }))
     }
 
     fn guide(&mut self) -> Parse<StatementKind> {
@@ -167,7 +171,7 @@ impl Parser<'_> {
         let mut on = None;
         let line = self.line(&mut on);
         let (through, course) = self.or_skip(line, (GuideAnchor::Mistake, Course::Mistake));
-        Ok(StatementKind::Guide { name, on, through, course })
+        Ok(StatementKind::Guide(GuideStatement { name, on, through, course }))
     }
 
     fn line(&mut self, on: &mut Option<Ident>) -> Parse<(GuideAnchor, Course)> {
@@ -199,7 +203,7 @@ impl Parser<'_> {
         let mut on = None;
         let place = self.place(&name, &mut on);
         let place = self.or_skip(place, PointPlace::Mistake);
-        Ok(StatementKind::Point { name, on, place })
+        Ok(StatementKind::Point(PointStatement { name, on, place }))
     }
 
     fn place(&mut self, name: &Ident, on: &mut Option<Ident>) -> Parse<PointPlace> {
@@ -265,7 +269,7 @@ impl Parser<'_> {
                 "without this statement every moving point and link is computed",
             );
         }
-        Ok(StatementKind::Output { items })
+        Ok(StatementKind::Output(OutputStatement { items }))
     }
 
     /// Reports a `,` that is missing in front of a name.
@@ -327,11 +331,11 @@ impl Parser<'_> {
             return self
                 .expected_because("`;`", "`numerics` takes one word, for numbers of any width");
         }
-        Ok(StatementKind::Numerics { mode })
+        Ok(StatementKind::Numerics(NumericsStatement { mode }))
     }
 
     fn export(&mut self) -> Parse<StatementKind> {
-        Ok(StatementKind::Export { language: self.word("`c`")? })
+        Ok(StatementKind::Export(ExportStatement { language: self.word("`c`")? }))
     }
 
     fn crate_path(&mut self) -> Parse<StatementKind> {
@@ -351,7 +355,9 @@ impl Parser<'_> {
             }
         }
         match syn::parse2(tokens) {
-            Ok(path) if can_be_imported_from(&path) => Ok(StatementKind::Crate { path }),
+            Ok(path) if can_be_imported_from(&path) => {
+                Ok(StatementKind::Crate(CrateStatement { path }))
+            }
             _ => {
                 self.diagnostics.error(span, FORM);
                 Err(Reported)

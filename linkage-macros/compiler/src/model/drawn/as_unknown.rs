@@ -8,7 +8,9 @@ use crate::chain::cutting::{DyadLeg, Found, Pair, SearchedGroup};
 use crate::chain::machine::Driven;
 use crate::chain::plane::Complex;
 use crate::model::names::Names;
-use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, Solve, StatementKind};
+use crate::syntax::tree::{
+    Expr, ExprKind, GroupFieldValue, InputStatement, Solve, StatementKind, UnknownStatement,
+};
 
 use super::bodies::Bodies;
 use super::ends::RodEnd;
@@ -61,7 +63,10 @@ impl Writer<'_, '_> {
         self.searches.push(sought);
         let kind = Ident::new(if is_angle { "angle" } else { "length" }, span);
         let (name, kind) = (unknown.clone(), Some(kind));
-        self.put(behind, StatementKind::Unknown { name, kind, between: Some(ends) });
+        self.put(
+            behind,
+            StatementKind::Unknown(UnknownStatement { name, kind, between: Some(ends) }),
+        );
         search.steps.iter().for_each(|step| self.step(step));
         let Pair::Pin(first) = search.joints[0] else { return };
         match search.joints[1] {
@@ -80,7 +85,7 @@ impl Writer<'_, '_> {
             return search.stretches.iter().map(of_drive).collect();
         }
         let inputs = tree.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Input { names, kind } => {
+            StatementKind::Input(InputStatement { names, kind }) => {
                 let is_angle = kind.as_ref().is_none_or(|kind| kind == "angle");
                 names.iter().map(|name| (name, is_angle)).collect()
             }

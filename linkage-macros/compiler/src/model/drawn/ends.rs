@@ -4,7 +4,7 @@
 use proc_macro2::Ident;
 
 use crate::model::acting::{Effort, RequestedEffort};
-use crate::syntax::tree::{ExprKind, Statement, StatementKind};
+use crate::syntax::tree::{ExprKind, OutputStatement, Statement, StatementKind};
 
 /// A joint of a link at which a block stands in for it.
 pub(super) struct RodEnd {
@@ -15,7 +15,9 @@ pub(super) struct RodEnd {
 
 /// The statement with the force at such a joint asked of the block.
 pub(super) fn renamed(ends: &[RodEnd], mut statement: Statement) -> Statement {
-    let StatementKind::Output { items } = &mut statement.kind else { return statement };
+    let StatementKind::Output(OutputStatement { items }) = &mut statement.kind else {
+        return statement;
+    };
     for item in items {
         let ExprKind::Member(owner, member) = &mut item.value.kind else { continue };
         if let Some(end) = ends.iter().find(|end| end.link == *owner && end.pin == *member) {

@@ -6,7 +6,7 @@ use quote::format_ident;
 
 use crate::chain::fit::{DeadEnds, Following, Terms};
 use crate::model::names::Names;
-use crate::syntax::tree::{BinaryOp, Declaration, Expr, ExprKind, StatementKind};
+use crate::syntax::tree::{BinaryOp, Declaration, Expr, ExprKind, LetStatement, StatementKind};
 
 use super::figures::{Figure, Pen, sum};
 
@@ -106,7 +106,7 @@ impl Fitted<'_> {
         lets.push((&names.traced, traced));
         let statement = |(name, value): (&Ident, Expr)| {
             let name = name.clone();
-            StatementKind::Let { name, value }
+            StatementKind::Let(LetStatement { name, value })
         };
         lets.into_iter().map(statement).collect()
     }

@@ -4,7 +4,9 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::chain::plane::root;
-use crate::syntax::tree::{Course, ExprKind, GuideAnchor, PointPlace, StatementKind};
+use crate::syntax::tree::{
+    Course, ExprKind, GuideAnchor, GuideStatement, PointPlace, StatementKind,
+};
 
 use super::figures::Figure;
 use super::frames::{DrawnFrame, DrawnLine, Heading, Origin};
@@ -182,7 +184,7 @@ fn written_line<'t>(
 ) -> Option<(&'t GuideAnchor, &'t Course)> {
     let wanted = reader.guides[guide].name;
     reader.tree.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::Guide { name, through, course, .. } if name == wanted => {
+        StatementKind::Guide(GuideStatement { name, through, course, .. }) if name == wanted => {
             Some((through, course))
         }
         _ => None,

@@ -7,7 +7,9 @@ use quote::format_ident;
 use crate::chain::cutting::DyadLeg;
 use crate::chain::machine::Held;
 use crate::model::names::Names;
-use crate::syntax::tree::{Expr, ExprKind, PointPlace, StatementKind};
+use crate::syntax::tree::{
+    Expr, ExprKind, LetStatement, PointPlace, PointStatement, StatementKind,
+};
 
 use super::bars::{DrawnBar, HeldBar};
 use super::figures::{Figure, sum};
@@ -64,7 +66,7 @@ impl Writer<'_, '_> {
         let behind = statements.into_iter().fold(drive, usize::max);
         let mut named = |ending: &str, value: Expr| {
             let name = format_ident!("{name}_{ending}", span = name.span());
-            self.put(behind, StatementKind::Let { name: name.clone(), value });
+            self.put(behind, StatementKind::Let(LetStatement { name: name.clone(), value }));
             let span = name.span().into();
             Expr { kind: ExprKind::Name(name), span }
         };
@@ -83,11 +85,11 @@ impl Writer<'_, '_> {
         let HeldBar { name, links: [first, second], pins: [from, to], pivot, place, .. } = bar;
         let behind = self.bodies.link(first).statement.max(self.bodies.link(second).statement);
         let joint = self.bodies.pins[pivot].name.clone();
-        let kind = StatementKind::Point {
+        let kind = StatementKind::Point(PointStatement {
             name: joint.clone(),
             on: Some(name),
             place: PointPlace::Cartesian(place),
-        };
+        });
         self.made[pivot] = true;
         self.put(behind, kind);
         for (link, from, to) in [(first, from, pivot), (second, pivot, to)] {

@@ -5,7 +5,9 @@ use proc_macro2::Ident;
 use crate::chain::machine::{Driven, Driving, Footing, GROUND, Machine, RigidBody, Slide};
 use crate::chain::plane::Complex;
 use crate::model::references::{names_in, names_used};
-use crate::syntax::tree::{DriveStatement, Expr, GroupStatement, Statement, StatementKind};
+use crate::syntax::tree::{
+    DriveStatement, Expr, GroundStatement, GroupStatement, Statement, StatementKind,
+};
 
 use super::bodies::{Bodies, GuideLine};
 use super::figures::Figure;
@@ -58,7 +60,7 @@ impl<'t> Reader<'t, '_, '_> {
             ..Machine::default()
         };
         let grounded = self.tree.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Ground { points } => &points[..],
+            StatementKind::Ground(GroundStatement { points }) => &points[..],
             _ => &[],
         });
         let grounded = grounded.filter_map(|(name, _)| self.pin_of.get(&name.to_string()).copied());

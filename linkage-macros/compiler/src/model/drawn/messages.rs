@@ -10,7 +10,8 @@ use crate::model::acting::RequestedEffort;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
 use crate::syntax::tree::{
-    Action, Declaration, DriveStatement, MassSite, PointPlace, StatementKind,
+    Action, Declaration, DriveStatement, MassSite, MassStatement, PointPlace, PointStatement,
+    SpringStatement, StatementKind,
 };
 
 use super::TurnedFrame;
@@ -230,11 +231,7 @@ pub(super) fn report_held_reactions(
     mechanism: &Mechanism,
     diagnostics: &mut Diagnostics,
 ) {
-    if !tree
-        .statements
-        .iter()
-        .any(|statement| matches!(statement.kind, StatementKind::Output { .. }))
-    {
+    if !tree.statements.iter().any(|statement| matches!(statement.kind, StatementKind::Output(_))) {
         return;
     }
     let dynamics = &mechanism.dynamics;
@@ -290,15 +287,19 @@ pub(super) fn report_turned(
     let elsewhere = |link: &Ident| of(link).filter(|turned| !turned.is_reversed);
     for statement in &tree.statements {
         let (found, told) = match &statement.kind {
-            StatementKind::Action(Action::Spring { ends, .. }) => {
+            StatementKind::Action(Action::Spring(SpringStatement { ends, .. })) => {
                 (ends.iter().find(|end| of(end).is_some()), "a torsion spring turns against")
             }
-            StatementKind::Point { on: Some(on), place: PointPlace::Distances(..), .. } => {
-                (Some(on).filter(|on| elsewhere(on).is_some()), "distances are measured in")
-            }
-            StatementKind::Action(Action::Mass { on, place: MassSite::Uniform(_), .. }) => {
-                (Some(on).filter(|on| elsewhere(on).is_some()), "a uniform bar lies in")
-            }
+            StatementKind::Point(PointStatement {
+                on: Some(on),
+                place: PointPlace::Distances(..),
+                ..
+            }) => (Some(on).filter(|on| elsewhere(on).is_some()), "distances are measured in"),
+            StatementKind::Action(Action::Mass(MassStatement {
+                on,
+                place: MassSite::Uniform(_),
+                ..
+            })) => (Some(on).filter(|on| elsewhere(on).is_some()), "a uniform bar lies in"),
             _ => continue,
         };
         let Some(link) = found else { continue };

@@ -37,7 +37,9 @@ use proc_macro2::Ident;
 use crate::chain;
 use crate::chain::cutting::Found;
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Declaration, Expr, Statement, StatementKind};
+use crate::syntax::tree::{
+    Declaration, Expr, LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
+};
 
 use super::mechanism::{Mechanism, OutputKind, References};
 use super::names::Entity;
@@ -75,12 +77,12 @@ pub(super) fn is_drawn(tree: &Declaration) -> bool {
 }
 
 fn is_of_a_drawing(kind: &StatementKind) -> bool {
-    matches!(kind, StatementKind::Pin { .. } | StatementKind::Link { .. } | StatementKind::Drive(_))
+    matches!(kind, StatementKind::Pin(_) | StatementKind::Link(_) | StatementKind::Drive(_))
 }
 
 /// True if the statement declares one of the points on a link.
 fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
-    matches!(kind, StatementKind::Point { name, on: Some(_), .. } if points.contains(name))
+    matches!(kind, StatementKind::Point(PointStatement { name, on: Some(_), .. }) if points.contains(name))
 }
 
 /// The mechanism that a drawing means.
@@ -163,12 +165,16 @@ fn steps(bodies: &Bodies<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Found
 fn document(mechanism: &mut Mechanism, statement: &Statement) {
     let names: Vec<&Ident> = match &statement.kind {
         // Points that keep their statement are documented by it.
-        StatementKind::Point { name, on: Some(_), .. } => {
+        StatementKind::Point(PointStatement { name, on: Some(_), .. }) => {
             let own = mechanism.points.iter().find(|point| point.name == *name);
             own.filter(|point| point.docs.is_empty()).map(|_| name).into_iter().collect()
         }
-        StatementKind::Pin { points } => points.iter().map(|(name, _)| name).collect(),
-        StatementKind::Link { links, .. } => links.iter().map(|link| &link.name).collect(),
+        StatementKind::Pin(PinStatement { points }) => {
+            points.iter().map(|(name, _)| name).collect()
+        }
+        StatementKind::Link(LinkStatement { links, .. }) => {
+            links.iter().map(|link| &link.name).collect()
+        }
         _ => return,
     };
     for name in names {

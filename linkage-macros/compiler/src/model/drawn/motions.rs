@@ -3,7 +3,8 @@
 use crate::chain::machine::{Driven, GROUND, InputRates};
 use crate::chain::plane::Complex;
 use crate::syntax::tree::{
-    DriveStatement, Expr, GroupFieldValue, GroupStatement, PointPlace, StatementKind,
+    DriveStatement, Expr, GroupFieldValue, GroupStatement, PointPlace, PointStatement,
+    StatementKind,
 };
 
 use super::bodies::{Bodies, LinkOutline};
@@ -65,7 +66,11 @@ impl Measured<'_> {
                         turn = self.rate(bodies, angle, (drawn, input), &[]);
                     }
                 }
-                StatementKind::Point { on: None, place: PointPlace::Cartesian(at), .. } => {
+                StatementKind::Point(PointStatement {
+                    on: None,
+                    place: PointPlace::Cartesian(at),
+                    ..
+                }) => {
                     shift = [0, 1].map(|i| self.rate(bodies, &at[i], (drawn, input), &[]));
                 }
                 _ => {}

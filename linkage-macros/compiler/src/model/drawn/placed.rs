@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Expr, PointPlace, StatementKind};
+use crate::syntax::tree::{Expr, PointPlace, PointStatement, StatementKind};
 
 use super::bodies::{Bodies, PinPlace};
 use super::figures::Figure;
@@ -89,7 +89,7 @@ impl Writer<'_, '_> {
                     .map(|number| number.text),
             };
             let (on, place) = (Some(link.name.clone()), PointPlace::Cartesian(place));
-            let kind = StatementKind::Point { name, on, place };
+            let kind = StatementKind::Point(PointStatement { name, on, place });
             self.put(link.statement, kind);
         }
     }

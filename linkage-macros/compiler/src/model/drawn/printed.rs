@@ -2,7 +2,14 @@
 
 use syn::Attribute;
 
-use crate::syntax::tree::{Action, FrictionSite, FrictionStatement, MassSite, StopStatement};
+use crate::syntax::tree::{
+    Action, CrateStatement, DriveByStatement, ExportStatement, ForceBetweenStatement,
+    ForceStatement, FrictionSite, FrictionStatement, GravityStatement, GroundStatement,
+    GuideStatement, InertiaStatement, InputStatement, LetStatement, LoadStatement, MassSite,
+    MassStatement, NumericsStatement, OutputStatement, ParamStatement, PinStatement,
+    PointStatement, SpringStatement, StopStatement, TorqueBetweenStatement, TorqueStatement,
+    UnknownStatement,
+};
 use crate::syntax::tree::{
     BinaryOp, Course, Declaration, Expr, ExprKind, GroupFieldValue, GroupStatement, GuideAnchor,
     PointPlace, Statement, StatementKind,
@@ -61,14 +68,22 @@ pub(super) fn written(statement: &Statement) -> String {
         kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default()
     };
     match &statement.kind {
-        StatementKind::Input { names, kind } => format!("input {}{};", named(names), kind_of(kind)),
-        StatementKind::Load { names, kind } => format!("load {}{};", named(names), kind_of(kind)),
-        StatementKind::DriveBy { input, load } => format!("drive {input} by {load};"),
-        StatementKind::Param { name, kind, default } => {
+        StatementKind::Input(InputStatement { names, kind }) => {
+            format!("input {}{};", named(names), kind_of(kind))
+        }
+        StatementKind::Load(LoadStatement { names, kind }) => {
+            format!("load {}{};", named(names), kind_of(kind))
+        }
+        StatementKind::DriveBy(DriveByStatement { input, load }) => {
+            format!("drive {input} by {load};")
+        }
+        StatementKind::Param(ParamStatement { name, kind, default }) => {
             format!("param {name}{} = {};", kind_of(kind), text(default))
         }
-        StatementKind::Let { name, value } => format!("let {name} = {};", text(value)),
-        StatementKind::Unknown { name, kind, between } => {
+        StatementKind::Let(LetStatement { name, value }) => {
+            format!("let {name} = {};", text(value))
+        }
+        StatementKind::Unknown(UnknownStatement { name, kind, between }) => {
             let ends = between.as_ref().map(pair).unwrap_or_default();
             format!("unknown {name}{} between {ends};", kind_of(kind))
         }
@@ -80,31 +95,32 @@ pub(super) fn written(statement: &Statement) -> String {
             let fields: String = mode.chain(near).collect();
             format!("solve {} {{ {left} = {right}{fields} }}", solve.unknown)
         }
-        StatementKind::Ground { points } | StatementKind::Pin { points } => {
+        StatementKind::Ground(GroundStatement { points })
+        | StatementKind::Pin(PinStatement { points }) => {
             let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
             format!("ground {};", points.collect::<Vec<_>>().join(", "))
         }
-        StatementKind::Guide { name, on, through, course } => {
+        StatementKind::Guide(GuideStatement { name, on, through, course }) => {
             format!("guide {name}{} {};", on_link(on.as_ref()), line(through, course))
         }
-        StatementKind::Point { name, on, place } => {
+        StatementKind::Point(PointStatement { name, on, place }) => {
             format!("point {name}{} {};", on_link(on.as_ref()), spot(place))
         }
         StatementKind::Group(group) => written_group(group),
         StatementKind::Action(action) => written_action(action),
-        StatementKind::Output { items } => {
+        StatementKind::Output(OutputStatement { items }) => {
             let items = items.iter().map(|item| match &item.name {
                 Some(name) => format!("{name} = {}", text(&item.value)),
                 None => text(&item.value),
             });
             format!("output {};", items.collect::<Vec<_>>().join(", "))
         }
-        StatementKind::Numerics { mode } => format!("numerics {mode};"),
-        StatementKind::Export { language } => format!("export {language};"),
-        StatementKind::Crate { path } => {
+        StatementKind::Numerics(NumericsStatement { mode }) => format!("numerics {mode};"),
+        StatementKind::Export(ExportStatement { language }) => format!("export {language};"),
+        StatementKind::Crate(CrateStatement { path }) => {
             format!("crate = {};", quote::quote!(#path).to_string().replace(' ', ""))
         }
-        StatementKind::Link { .. } | StatementKind::Drive(_) => String::new(),
+        StatementKind::Link(_) | StatementKind::Drive(_) => String::new(),
     }
 }
 
@@ -159,8 +175,8 @@ fn braces(group: &GroupStatement) -> String {
 
 fn written_action(action: &Action) -> String {
     match action {
-        Action::Gravity { value, .. } => format!("gravity {};", pair(value)),
-        Action::Mass { value, on, place, inertia } => {
+        Action::Gravity(GravityStatement { value, .. }) => format!("gravity {};", pair(value)),
+        Action::Mass(MassStatement { value, on, place, inertia }) => {
             let place = match place {
                 MassSite::Here => String::new(),
                 MassSite::At(place) => format!(" at {}", pair(place)),
@@ -170,19 +186,21 @@ fn written_action(action: &Action) -> String {
             let inertia = inertia.iter().map(|inertia| format!(" inertia {}", text(inertia)));
             format!("mass {} on {on}{place}{};", text(value), inertia.collect::<String>())
         }
-        Action::Inertia { value, on } => format!("inertia {} on {on};", text(value)),
-        Action::Force { value, axes, on } => {
+        Action::Inertia(InertiaStatement { value, on }) => {
+            format!("inertia {} on {on};", text(value))
+        }
+        Action::Force(ForceStatement { value, axes, on }) => {
             let axes = axes.iter().map(|axes| format!(" in {axes}")).collect::<String>();
             format!("force {}{axes} on {on};", pair(value))
         }
-        Action::ForceBetween { value, points: [a, b] } => {
+        Action::ForceBetween(ForceBetweenStatement { value, points: [a, b] }) => {
             format!("force {} between {a} and {b};", text(value))
         }
-        Action::Torque { value, on } => format!("torque {} on {on};", text(value)),
-        Action::TorqueBetween { value, bodies: [a, b] } => {
+        Action::Torque(TorqueStatement { value, on }) => format!("torque {} on {on};", text(value)),
+        Action::TorqueBetween(TorqueBetweenStatement { value, bodies: [a, b] }) => {
             format!("torque {} between {a} and {b};", text(value))
         }
-        Action::Spring { name, ends: [a, b], fields } => {
+        Action::Spring(SpringStatement { name, ends: [a, b], fields }) => {
             let name = name.iter().map(|name| format!(" {name}")).collect::<String>();
             format!("spring{name} between {a} and {b} {}", braces(fields))
         }

@@ -5,7 +5,7 @@ use quote::format_ident;
 
 use crate::chain::machine::GROUND;
 use crate::syntax::tree::{
-    BinaryOp, Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, StatementKind,
+    BinaryOp, Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, GuideStatement, StatementKind,
 };
 
 use super::figures::Figure;
@@ -44,12 +44,12 @@ impl Writer<'_, '_> {
         let pen = self.pen.at(guide.name.span());
         let through = frame.local(&pen, &guide.line.through).map(|number| number.text);
         let along = pen.angle(&frame.local_direction(&pen, &guide.line.along)).text;
-        let kind = StatementKind::Guide {
+        let kind = StatementKind::Guide(GuideStatement {
             name: name.clone(),
             on: Some(known.clone()),
             through: GuideAnchor::At(through),
             course: Course::Along(along),
-        };
+        });
         self.put(self.bodies.link(link).statement, kind);
         name
     }

@@ -8,7 +8,8 @@ use crate::chain::machine::GROUND;
 use crate::diagnostics::nearest;
 use crate::model::names::{Kind, Names, declared_by};
 use crate::syntax::tree::{
-    Course, Declaration, DrawnLink, DriveStatement, Expr, GroupFieldValue, Statement, StatementKind,
+    Course, Declaration, DrawnLink, DriveStatement, Expr, GroundStatement, GroupFieldValue,
+    GuideStatement, LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
 };
 
 use super::bodies::{GuideLine, LinkOutline, PinPlace};
@@ -31,7 +32,7 @@ pub(super) struct Reader<'t, 'v, 'd> {
 /// The links of a statement with what its braces say.
 fn drawn_links(statement: &Statement) -> &[DrawnLink] {
     match &statement.kind {
-        StatementKind::Link { links, .. } => links,
+        StatementKind::Link(LinkStatement { links, .. }) => links,
         _ => &[],
     }
 }
@@ -83,8 +84,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         let mut is_fine = Some(());
         for statement in &self.tree.statements {
             let names = declared_by(statement);
-            let is_drawn =
-                matches!(statement.kind, StatementKind::Pin { .. } | StatementKind::Link { .. });
+            let is_drawn = matches!(statement.kind, StatementKind::Pin(_) | StatementKind::Link(_));
             for (name, kind) in names {
                 match seen.insert(name.to_string(), (kind, is_drawn)) {
                     // A group that is declared makes a pin whose place the drawing gives.
@@ -104,8 +104,8 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
 
     fn read_pins(&mut self) {
         for statement in &self.tree.statements {
-            let (StatementKind::Ground { points } | StatementKind::Pin { points }) =
-                &statement.kind
+            let (StatementKind::Ground(GroundStatement { points })
+            | StatementKind::Pin(PinStatement { points })) = &statement.kind
             else {
                 continue;
             };
@@ -116,7 +116,9 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             }
         }
         for statement in &self.tree.statements {
-            let StatementKind::Point { name, on, .. } = &statement.kind else { continue };
+            let StatementKind::Point(PointStatement { name, on, .. }) = &statement.kind else {
+                continue;
+            };
             let is_drawn = |on: &Ident| {
                 self.tree.statements.iter().flat_map(drawn_links).any(|link| link.name == *on)
             };
@@ -131,7 +133,9 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
     /// The points that are declared on links go through them as pins do.
     fn read_points(&mut self) {
         for statement in &self.tree.statements {
-            let StatementKind::Point { name, on: Some(on), place } = &statement.kind else {
+            let StatementKind::Point(PointStatement { name, on: Some(on), place }) =
+                &statement.kind
+            else {
                 continue;
             };
             let pin = self.pin_of.get(&name.to_string()).copied();
@@ -182,7 +186,8 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         statement: &'t Statement,
         link: &'t DrawnLink,
     ) -> Option<(&'t Expr, Option<Figure>)> {
-        let StatementKind::Link { links, fields: Some(fields) } = &statement.kind else {
+        let StatementKind::Link(LinkStatement { links, fields: Some(fields) }) = &statement.kind
+        else {
             return None;
         };
         for field in &fields.fields {
@@ -218,7 +223,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
     /// The bodies of groups that are declared, and points that move by themselves.
     fn read_given(&mut self) {
         for (index, statement) in self.tree.statements.iter().enumerate() {
-            if let StatementKind::Point { name, on: None, .. } = &statement.kind
+            if let StatementKind::Point(PointStatement { name, on: None, .. }) = &statement.kind
                 && let Some(&pin) = self.pin_of.get(&name.to_string())
             {
                 self.links.push(LinkOutline {
@@ -255,7 +260,9 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
     fn points_on(&self, link: &Ident) -> impl Iterator<Item = &'t Ident> {
         let link = link.clone();
         self.tree.statements.iter().filter_map(move |statement| match &statement.kind {
-            StatementKind::Point { name, on: Some(on), .. } if *on == link => Some(name),
+            StatementKind::Point(PointStatement { name, on: Some(on), .. }) if *on == link => {
+                Some(name)
+            }
             _ => None,
         })
     }
@@ -263,7 +270,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
     /// Every pin is one of a link, or of a group.
     fn pins_are_on_bodies(&mut self) {
         for statement in &self.tree.statements {
-            let StatementKind::Pin { points } = &statement.kind else { continue };
+            let StatementKind::Pin(PinStatement { points }) = &statement.kind else { continue };
             for (name, _) in points {
                 let pin = self.pin_of.get(&name.to_string());
                 let is_used = pin.is_none_or(|pin| {
@@ -333,7 +340,10 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
 
     fn read_guides(&mut self) {
         for statement in &self.tree.statements {
-            let StatementKind::Guide { name, on, course, .. } = &statement.kind else { continue };
+            let StatementKind::Guide(GuideStatement { name, on, course, .. }) = &statement.kind
+            else {
+                continue;
+            };
             let body = match on {
                 Some(on) => self.body(on),
                 None => Some(GROUND),

@@ -7,7 +7,11 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::exact::Exact;
-use crate::syntax::tree::{Action, MassSite};
+use crate::syntax::tree::{
+    Action, ForceBetweenStatement, ForceStatement, GravityStatement, GuideStatement,
+    InertiaStatement, LetStatement, MassSite, MassStatement, OutputStatement, PointStatement,
+    SpringStatement, TorqueBetweenStatement, TorqueStatement,
+};
 use crate::syntax::tree::{
     Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, OutputItem, PointPlace, Solve, Statement,
     StatementKind,
@@ -142,31 +146,35 @@ impl Turns {
     /// The statement with everything in the frames of groups.
     pub(super) fn statement(&self, bodies: &Bodies<'_>, statement: &Statement) -> Statement {
         let kind = match &statement.kind {
-            StatementKind::Guide { name, on, through, course } => {
+            StatementKind::Guide(GuideStatement { name, on, through, course }) => {
                 self.guide(bodies, name, on.as_ref(), through, course)
             }
-            StatementKind::Point { name, on, place } => StatementKind::Point {
-                name: name.clone(),
-                on: on.clone(),
-                place: self.point(on.as_ref(), place),
-            },
-            StatementKind::Let { name, value } => {
-                StatementKind::Let { name: name.clone(), value: self.expr(value) }
+            StatementKind::Point(PointStatement { name, on, place }) => {
+                StatementKind::Point(PointStatement {
+                    name: name.clone(),
+                    on: on.clone(),
+                    place: self.point(on.as_ref(), place),
+                })
             }
-            StatementKind::Output { items } => StatementKind::Output {
-                items: items
-                    .iter()
-                    .map(|item| OutputItem {
-                        name: item.name.clone(),
-                        renamed_at: item.renamed_at,
-                        // A part of a link by itself is a direction.
-                        value: match &item.value.kind {
-                            ExprKind::Member(..) if item.name.is_none() => item.value.clone(),
-                            _ => self.expr(&item.value),
-                        },
-                    })
-                    .collect(),
-            },
+            StatementKind::Let(LetStatement { name, value }) => {
+                StatementKind::Let(LetStatement { name: name.clone(), value: self.expr(value) })
+            }
+            StatementKind::Output(OutputStatement { items }) => {
+                StatementKind::Output(OutputStatement {
+                    items: items
+                        .iter()
+                        .map(|item| OutputItem {
+                            name: item.name.clone(),
+                            renamed_at: item.renamed_at,
+                            // A part of a link by itself is a direction.
+                            value: match &item.value.kind {
+                                ExprKind::Member(..) if item.name.is_none() => item.value.clone(),
+                                _ => self.expr(&item.value),
+                            },
+                        })
+                        .collect(),
+                })
+            }
             StatementKind::Group(group) => {
                 let mut group = group.clone();
                 self.group(&mut group);
@@ -231,7 +239,12 @@ impl Turns {
             (Course::Along(angle), None) => Course::Along(self.expr(angle)),
             _ => course.clone(),
         };
-        StatementKind::Guide { name: name.clone(), on: on.cloned(), through: spot, course }
+        StatementKind::Guide(GuideStatement {
+            name: name.clone(),
+            on: on.cloned(),
+            through: spot,
+            course,
+        })
     }
 
     fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
@@ -267,24 +280,27 @@ impl Turns {
     fn action(&self, action: &Action) -> Action {
         let mut action = action.clone();
         match &mut action {
-            Action::Gravity { value, .. } | Action::Force { value, axes: None, .. } => {
+            Action::Gravity(GravityStatement { value, .. })
+            | Action::Force(ForceStatement { value, axes: None, .. }) => {
                 *value = self.pair(value);
             }
-            Action::Force { value, axes: Some(axes), .. } => {
+            Action::Force(ForceStatement { value, axes: Some(axes), .. }) => {
                 *value = self.components(axes, value);
             }
-            Action::Mass { value, on, place, inertia } => {
+            Action::Mass(MassStatement { value, on, place, inertia }) => {
                 *value = self.expr(value);
                 *inertia = inertia.as_ref().map(|inertia| self.expr(inertia));
                 if let MassSite::At(at) = place {
                     *at = self.place(on, at);
                 }
             }
-            Action::Inertia { value, .. }
-            | Action::ForceBetween { value, .. }
-            | Action::Torque { value, .. }
-            | Action::TorqueBetween { value, .. } => *value = self.expr(value),
-            Action::Spring { fields, .. } => self.group(fields),
+            Action::Inertia(InertiaStatement { value, .. })
+            | Action::ForceBetween(ForceBetweenStatement { value, .. })
+            | Action::Torque(TorqueStatement { value, .. })
+            | Action::TorqueBetween(TorqueBetweenStatement { value, .. }) => {
+                *value = self.expr(value)
+            }
+            Action::Spring(SpringStatement { fields, .. }) => self.group(fields),
             Action::Stop(stop) => {
                 stop.of = self.expr(&stop.of);
                 self.group(&mut stop.fields);

@@ -51,7 +51,7 @@ pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
         .collect();
     // A search begins when all is there that it stands on.
     for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
-        if search.is_some() && matches!(statement.kind, StatementKind::Unknown { .. }) {
+        if search.is_some() && matches!(statement.kind, StatementKind::Unknown(_)) {
             let own: Vec<_> =
                 (0..statements.len()).filter(|&other| parts[other] == *search).collect();
             let all: Vec<_> = own.iter().flat_map(|&other| needs[other].clone()).collect();

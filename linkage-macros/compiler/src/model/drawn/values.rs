@@ -12,7 +12,10 @@ use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
 use crate::model::names::{Entity, declared_by};
 use crate::model::references::{expressions, names_used};
 use crate::model::{Scope, units};
-use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement, StatementKind};
+use crate::syntax::tree::{
+    Declaration, Expr, ExprKind, GroundStatement, InputStatement, LetStatement, ParamStatement,
+    PinStatement, Statement, StatementKind,
+};
 
 use super::figures::{Figure, Pen};
 use crate::model::{expressions, numbers, order};
@@ -33,19 +36,22 @@ fn numbers_of(tree: &Declaration) -> Declaration {
         let uses_known =
             || names_used(statement).iter().all(|name| known.contains(&name.to_string()));
         let kind = match &statement.kind {
-            StatementKind::Input { names, kind } => {
-                StatementKind::Input { names: names.clone(), kind: kind.clone() }
+            StatementKind::Input(InputStatement { names, kind }) => {
+                StatementKind::Input(InputStatement { names: names.clone(), kind: kind.clone() })
             }
-            StatementKind::Param { name, kind, default } => StatementKind::Param {
-                name: name.clone(),
-                kind: kind.clone(),
-                default: default.clone(),
-            },
-            StatementKind::Let { name, value } if uses_known() => {
-                StatementKind::Let { name: name.clone(), value: value.clone() }
+            StatementKind::Param(ParamStatement { name, kind, default }) => {
+                StatementKind::Param(ParamStatement {
+                    name: name.clone(),
+                    kind: kind.clone(),
+                    default: default.clone(),
+                })
             }
-            StatementKind::Ground { points } | StatementKind::Pin { points } => {
-                StatementKind::Ground { points: points.clone() }
+            StatementKind::Let(LetStatement { name, value }) if uses_known() => {
+                StatementKind::Let(LetStatement { name: name.clone(), value: value.clone() })
+            }
+            StatementKind::Ground(GroundStatement { points })
+            | StatementKind::Pin(PinStatement { points }) => {
+                StatementKind::Ground(GroundStatement { points: points.clone() })
             }
             _ => continue,
         };
@@ -63,7 +69,7 @@ fn numbers_of(tree: &Declaration) -> Declaration {
 
 fn pins_of(tree: &Declaration) -> impl Iterator<Item = &Ident> {
     let points = tree.statements.iter().flat_map(|statement| match &statement.kind {
-        StatementKind::Pin { points } => &points[..],
+        StatementKind::Pin(PinStatement { points }) => &points[..],
         _ => &[],
     });
     points.map(|(name, _)| name)
@@ -105,7 +111,9 @@ impl<'d> Measured<'d> {
         let pen = Pen { unit: unit_of(tree), at: Span::call_site() };
         let mut values = Self { scope, pen, places: HashMap::new() };
         for statement in &numbers.statements {
-            let StatementKind::Ground { points } = &statement.kind else { continue };
+            let StatementKind::Ground(GroundStatement { points }) = &statement.kind else {
+                continue;
+            };
             for (name, written) in points {
                 let place = values.place(name, written)?;
                 values.places.insert(name.to_string(), place);

@@ -12,9 +12,10 @@ use crate::model::ids::FormulaId;
 use crate::model::mechanism::{AngleSum, DeclaredOutput, OutputKind, Scalar};
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
-use crate::model::spring_damper::is_rate;
-use crate::model::{laws, numbers, outputs, stub};
-use crate::syntax::tree::{self, Declaration, ExprKind, OutputItem, StatementKind};
+use crate::model::statements::spring::is_rate;
+use crate::model::statements::{named, output};
+use crate::model::{numbers, stub};
+use crate::syntax::tree::{self, Declaration, ExprKind, LetStatement, OutputItem, StatementKind};
 
 /// A field for an output whose name is known, if not its value.
 pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, item: &OutputItem) {
@@ -33,7 +34,7 @@ pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, it
     }
     // A point under another name is a mistake, and its coordinates may be asked for.
     let whole =
-        named.and_then(|value| scope.names.made(value)).and_then(|it| outputs::whole(scope, it));
+        named.and_then(|value| scope.names.made(value)).and_then(|it| output::whole(scope, it));
     let kind = match whole {
         Some(output) => output.kind,
         None if holds_angle(scope, tree, &item.value, tree.statements.len()) => {
@@ -53,7 +54,9 @@ fn holds_angle(scope: &Scope<'_>, tree: &Declaration, value: &tree::Expr, before
             let maker = scope.names.symbol(name).map(|symbol| symbol.statement);
             let maker = maker.filter(|&maker| maker < before);
             maker.is_some_and(|maker| match &tree.statements[maker].kind {
-                StatementKind::Let { value, .. } => holds_angle(scope, tree, value, maker),
+                StatementKind::Let(LetStatement { value, .. }) => {
+                    holds_angle(scope, tree, value, maker)
+                }
                 _ => false,
             })
         }
@@ -74,7 +77,7 @@ fn reads_forces(scope: &Scope<'_>, value: &tree::Expr) -> bool {
         _ => is_rate(part),
     };
     numbers::first(scope, value, &|scope, part| {
-        reads(scope, part) || laws::is_law(scope, part, Reads::is_of_forces)
+        reads(scope, part) || named::is_law(scope, part, Reads::is_of_forces)
     })
     .is_some()
 }

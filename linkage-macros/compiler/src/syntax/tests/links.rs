@@ -2,15 +2,16 @@
 
 use super::*;
 use crate::syntax::tree::DrawnLink;
+use crate::syntax::tree::{DriveByStatement, LinkStatement, PinStatement};
 
 /// A statement of a drawing.
 pub(super) fn drawn(kind: &StatementKind) -> String {
     match kind {
-        StatementKind::Pin { points } => {
+        StatementKind::Pin(PinStatement { points }) => {
             let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
             format!("pin {}", points.collect::<Vec<_>>().join(", "))
         }
-        StatementKind::Link { links, fields: own } => {
+        StatementKind::Link(LinkStatement { links, fields: own }) => {
             let links: Vec<_> = links.iter().map(link).collect();
             let own = own.as_ref().map(|own| format!(" {{ {} }}", fields(own)));
             format!("link {}{}", links.join(", "), own.unwrap_or_default())
@@ -20,7 +21,9 @@ pub(super) fn drawn(kind: &StatementKind) -> String {
             let (link, member, to) = (&drive.link, &drive.member, to.unwrap_or_default());
             format!("drive {link}.{member}{to} = {}", expr(&drive.value))
         }
-        StatementKind::DriveBy { input, load } => format!("drive {input} by {load}"),
+        StatementKind::DriveBy(DriveByStatement { input, load }) => {
+            format!("drive {input} by {load}")
+        }
         _ => String::new(),
     }
 }

@@ -9,6 +9,12 @@ mod solve;
 mod statement_mistakes;
 mod trees;
 
+use crate::syntax::tree::{
+    CrateStatement, ExportStatement, ForceBetweenStatement, ForceStatement, GravityStatement,
+    GroundStatement, GuideStatement, InertiaStatement, InputStatement, LetStatement, LoadStatement,
+    MassStatement, NumericsStatement, OutputStatement, ParamStatement, PointStatement,
+    SpringStatement, TorqueBetweenStatement, TorqueStatement, UnknownStatement,
+};
 use std::fmt::Write;
 use std::ops::Range;
 
@@ -69,26 +75,26 @@ fn text(declaration: &Declaration) -> String {
 
 fn kind(kind: &StatementKind) -> String {
     match kind {
-        StatementKind::Input { names, kind } => {
+        StatementKind::Input(InputStatement { names, kind }) => {
             let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
             format!("input {}: {kind}", list(names))
         }
-        StatementKind::Param { name, kind: None, default } => {
+        StatementKind::Param(ParamStatement { name, kind: None, default }) => {
             format!("param {name} = {}", expr(default))
         }
-        StatementKind::Param { name, kind: Some(kind), default } => {
+        StatementKind::Param(ParamStatement { name, kind: Some(kind), default }) => {
             format!("param {name}: {kind} = {}", expr(default))
         }
-        StatementKind::Let { name, value } => format!("let {name} = {}", expr(value)),
-        StatementKind::Ground { points } => {
+        StatementKind::Let(LetStatement { name, value }) => format!("let {name} = {}", expr(value)),
+        StatementKind::Ground(GroundStatement { points }) => {
             let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
             format!("ground {}", points.collect::<Vec<_>>().join(", "))
         }
-        StatementKind::Pin { .. }
-        | StatementKind::Link { .. }
+        StatementKind::Pin(_)
+        | StatementKind::Link(_)
         | StatementKind::Drive(_)
-        | StatementKind::DriveBy { .. } => links::drawn(kind),
-        StatementKind::Guide { name, on, through, course } => {
+        | StatementKind::DriveBy(_) => links::drawn(kind),
+        StatementKind::Guide(GuideStatement { name, on, through, course }) => {
             let through = match through {
                 GuideAnchor::At(at) => pair(at),
                 GuideAnchor::Point(point) => point.to_string(),
@@ -101,7 +107,7 @@ fn kind(kind: &StatementKind) -> String {
             };
             format!("guide {name}{} through {through} {course}", carrier(on))
         }
-        StatementKind::Point { name, on, place } => {
+        StatementKind::Point(PointStatement { name, on, place }) => {
             let place = match place {
                 PointPlace::Cartesian(at) => pair(at),
                 PointPlace::Polar(at) => format!("polar {}", pair(at)),
@@ -111,27 +117,27 @@ fn kind(kind: &StatementKind) -> String {
             format!("point {name}{} at {place}", carrier(on))
         }
         StatementKind::Group(group) => self::group(group),
-        StatementKind::Output { items } => {
+        StatementKind::Output(OutputStatement { items }) => {
             let items = items.iter().map(|item| match &item.name {
                 Some(name) => format!("{name} = {}", expr(&item.value)),
                 None => expr(&item.value),
             });
             format!("output {}", items.collect::<Vec<_>>().join(", "))
         }
-        StatementKind::Numerics { mode } => format!("numerics {mode}"),
-        StatementKind::Crate { path } => {
+        StatementKind::Numerics(NumericsStatement { mode }) => format!("numerics {mode}"),
+        StatementKind::Crate(CrateStatement { path }) => {
             format!(
                 "crate = {}",
                 quote::ToTokens::to_token_stream(path).to_string().replace(' ', "")
             )
         }
-        StatementKind::Export { language } => format!("export {language}"),
-        StatementKind::Load { names, kind } => {
+        StatementKind::Export(ExportStatement { language }) => format!("export {language}"),
+        StatementKind::Load(LoadStatement { names, kind }) => {
             let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
             format!("load {}: {kind}", list(names))
         }
         StatementKind::Action(action) => self::action(action),
-        StatementKind::Unknown { name, kind, between } => {
+        StatementKind::Unknown(UnknownStatement { name, kind, between }) => {
             let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
             let between = between.as_ref().map_or("?".to_string(), pair);
             format!("unknown {name}: {kind} between {between}")
@@ -148,8 +154,8 @@ fn kind(kind: &StatementKind) -> String {
 
 fn action(action: &Action) -> String {
     match action {
-        Action::Gravity { value, .. } => format!("gravity {}", pair(value)),
-        Action::Mass { value, on, place, inertia } => {
+        Action::Gravity(GravityStatement { value, .. }) => format!("gravity {}", pair(value)),
+        Action::Mass(MassStatement { value, on, place, inertia }) => {
             let place = match place {
                 MassSite::Here => String::new(),
                 MassSite::At(at) => format!(" at {}", pair(at)),
@@ -159,19 +165,21 @@ fn action(action: &Action) -> String {
             let inertia = inertia.as_ref().map(|value| format!(" inertia {}", expr(value)));
             format!("mass {} on {on}{place}{}", expr(value), inertia.unwrap_or_default())
         }
-        Action::Inertia { value, on } => format!("inertia {} on {on}", expr(value)),
-        Action::Force { value, axes, on } => {
+        Action::Inertia(InertiaStatement { value, on }) => {
+            format!("inertia {} on {on}", expr(value))
+        }
+        Action::Force(ForceStatement { value, axes, on }) => {
             let axes = axes.as_ref().map(|axes| format!(" in {axes}")).unwrap_or_default();
             format!("force {}{axes} on {on}", pair(value))
         }
-        Action::ForceBetween { value, points: [p, q] } => {
+        Action::ForceBetween(ForceBetweenStatement { value, points: [p, q] }) => {
             format!("force {} between {p} and {q}", expr(value))
         }
-        Action::Torque { value, on } => format!("torque {} on {on}", expr(value)),
-        Action::TorqueBetween { value, bodies: [a, b] } => {
+        Action::Torque(TorqueStatement { value, on }) => format!("torque {} on {on}", expr(value)),
+        Action::TorqueBetween(TorqueBetweenStatement { value, bodies: [a, b] }) => {
             format!("torque {} between {a} and {b}", expr(value))
         }
-        Action::Spring { name, ends: [a, b], fields } => {
+        Action::Spring(SpringStatement { name, ends: [a, b], fields }) => {
             let name = name.as_ref().map(|name| format!("{name} ")).unwrap_or_default();
             format!("spring {name}between {a} and {b} {{ {} }}", self::fields(fields))
         }

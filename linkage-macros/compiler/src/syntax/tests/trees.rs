@@ -1,6 +1,7 @@
 //! Declarations that parse, and their trees.
 
 use super::{body, parsed};
+use crate::syntax::tree::LetStatement;
 
 /// The tree of statements that hold no mistake.
 fn tree(statements: &str) -> String {
@@ -177,7 +178,9 @@ fn spans_reach_from_the_first_to_the_last_token() {
     let source = "struct M { let x = 2 * (a + sqrt(b)) - BC.angle; }";
     let mut diagnostics = crate::diagnostics::Diagnostics::new();
     let tree = super::parse(source.parse().expect("tokens"), &mut diagnostics).expect("a name");
-    let StatementKind::Let { value, .. } = &tree.statements[0].kind else { panic!("no `let`") };
+    let StatementKind::Let(LetStatement { value, .. }) = &tree.statements[0].kind else {
+        panic!("no `let`")
+    };
     diagnostics.error(value.span, "here");
     let told = crate::diagnostics::told(&diagnostics.into_mistakes(), source, 0..source.len());
     assert_eq!(told, "2 * (a + sqrt(b)) - BC.angle: here");

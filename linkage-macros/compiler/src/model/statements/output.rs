@@ -6,21 +6,35 @@ use syn::Attribute;
 
 use crate::diagnostics::nearest;
 use crate::syntax::anatomy::GroupSpec;
-use crate::syntax::tree::{Declaration, Expr, ExprKind, OutputItem, StatementKind};
+use crate::syntax::tree::{
+    Declaration, Expr, ExprKind, OutputItem, OutputStatement, StatementKind,
+};
 
-use super::expressions::{self, Allowed, ResolvedExpr, bare_name};
-use super::mechanism::{DeclaredOutput, LinkId, OutputKind, Scalar as Resolved};
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::{driving_load, dynamics_outputs, effort_formulas, laws, readings, uses};
+use crate::model::expressions::{self, Allowed, ResolvedExpr, bare_name};
+use crate::model::mechanism::{DeclaredOutput, LinkId, OutputKind, Scalar as Resolved};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::{dynamics_outputs, effort_formulas, readings, uses};
 
-pub(super) const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
+use super::{Rules, drive_by, named};
+
+pub(in crate::model) const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
+
+impl Rules for OutputStatement {
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        self.items.iter().for_each(|item| f(&item.value));
+    }
+
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        // An output may name anything, wherever it stands: `outputs`.
+    }
+}
 
 /// The outputs that are asked for; every moving point and every link where none is.
-pub(super) fn outputs(scope: &mut Scope<'_>, tree: &Declaration) {
+pub(in crate::model) fn outputs(scope: &mut Scope<'_>, tree: &Declaration) {
     let mut is_asked = false;
     for statement in &tree.statements {
-        if let StatementKind::Output { items } = &statement.kind {
+        if let StatementKind::Output(OutputStatement { items }) = &statement.kind {
             is_asked = true;
             for item in items {
                 output(scope, &statement.docs, item);
@@ -52,7 +66,7 @@ fn every_moving_thing_is_given(scope: &mut Scope<'_>) {
 }
 
 /// A point, a link, an unknown or a named expression as an output, under its own name.
-pub(super) fn whole(scope: &Scope<'_>, entity: Entity) -> Option<DeclaredOutput> {
+pub(in crate::model) fn whole(scope: &Scope<'_>, entity: Entity) -> Option<DeclaredOutput> {
     let mechanism = &scope.mechanism;
     Some(match entity {
         Entity::Point(id) => {
@@ -82,7 +96,7 @@ fn give_whole(scope: &mut Scope<'_>, at: Span, docs: &[Attribute], entity: Entit
     }
 }
 
-pub(super) fn output(scope: &mut Scope<'_>, docs: &[Attribute], item: &OutputItem) {
+pub(in crate::model) fn output(scope: &mut Scope<'_>, docs: &[Attribute], item: &OutputItem) {
     match (&item.name, &item.value.kind) {
         (Some(name), _) if item.renamed_at.is_some() => name_stands_in_front(scope, name, item),
         (Some(name), _) => named_output(scope, docs, name, &item.value),
@@ -155,7 +169,7 @@ fn output_name_is_new(scope: &mut Scope<'_>, name: &Ident) -> Option<()> {
 /// `blade`: a point, a link, or a `let`.
 fn whole_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) {
     let is_of_forces = dynamics_outputs::output_of_the_whole(scope, docs, name)
-        || driving_load::pull_output(scope, docs, name);
+        || drive_by::pull_output(scope, docs, name);
     if is_of_forces || output_is_a_result(scope, name).is_none() {
         return;
     }
@@ -179,7 +193,7 @@ fn whole_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) {
 
 /// A `let` under its own name; a law stands in `forces`.
 fn let_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident, entity: Entity) {
-    let quantity = laws::value_of_let(scope, name, entity, Allowed::IN_FORCES);
+    let quantity = named::value_of_let(scope, name, entity, Allowed::IN_FORCES);
     let Some(mut quantity) = quantity else { return };
     if let Entity::Let(id) = entity {
         quantity.rest = scope.mechanism.lets[id.index()].rest.clone();
@@ -359,7 +373,7 @@ fn give_link(
 }
 
 /// A field of the result is given once.
-pub(super) fn give(
+pub(in crate::model) fn give(
     scope: &mut Scope<'_>,
     span: Span,
     field: Ident,

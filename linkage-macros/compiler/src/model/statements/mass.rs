@@ -1,24 +1,71 @@
 //! Masses and inertias: their values and their places. A mass on the ground is refused.
 
 use proc_macro2::{Ident, Span};
+use syn::Attribute;
 
 use crate::diagnostics::Extent;
-use crate::syntax::tree;
-use crate::syntax::tree::MassSite as Written;
+use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassStatement};
 
-use super::acting::{Magnitude, Mass, MassPlace};
-use super::folding::shown;
-use super::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
-use super::names::Kind;
-use super::scope::Scope;
-use super::{actions, guides, numbers, uses};
+use crate::model::acting::{Magnitude, Mass, MassPlace};
+use crate::model::folding::shown;
+use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
+use crate::model::names::Kind;
+use crate::model::scope::Scope;
+use crate::model::{numbers, uses};
 
-pub(super) fn mass(
+use super::{Rules, acts, guide};
+
+impl Rules for MassStatement {
+    fn builds_on(&self) -> Vec<&Ident> {
+        match &self.place {
+            Written::Point(point) => vec![&self.on, point],
+            _ => vec![&self.on],
+        }
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        f(&self.value);
+        if let Written::At(place) = &self.place {
+            place.iter().for_each(&mut *f);
+        }
+        self.inertia.iter().for_each(f);
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        let mass = mass(scope, &self.value, &self.on, &self.place, self.inertia.as_ref());
+        scope.mechanism.dynamics.masses.extend(mass);
+    }
+
+    fn acts(&self) -> bool {
+        true
+    }
+}
+
+impl Rules for InertiaStatement {
+    fn builds_on(&self) -> Vec<&Ident> {
+        vec![&self.on]
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        f(&self.value);
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        let mass = inertia(scope, &self.value, &self.on);
+        scope.mechanism.dynamics.masses.extend(mass);
+    }
+
+    fn acts(&self) -> bool {
+        true
+    }
+}
+
+pub(in crate::model) fn mass(
     scope: &mut Scope<'_>,
-    value: &tree::Expr,
+    value: &Expr,
     on: &Ident,
     place: &Written,
-    inertia: Option<&tree::Expr>,
+    inertia: Option<&Expr>,
 ) -> Option<Mass> {
     let name = format!("mass on {on}");
     let mass = not_negative(scope, value, Dimension::MASS, "a mass", name);
@@ -47,16 +94,12 @@ pub(super) fn mass(
     Some(Mass { place, mass, inertia })
 }
 
-fn inertia_is_superfluous<T>(
-    scope: &mut Scope<'_>,
-    inertia: &tree::Expr,
-    reason: &str,
-) -> Option<T> {
+fn inertia_is_superfluous<T>(scope: &mut Scope<'_>, inertia: &Expr, reason: &str) -> Option<T> {
     scope.diagnostics.error_because(inertia.span, "leave this inertia out", reason);
     None
 }
 
-pub(super) fn inertia(scope: &mut Scope<'_>, value: &tree::Expr, on: &Ident) -> Option<Mass> {
+pub(in crate::model) fn inertia(scope: &mut Scope<'_>, value: &Expr, on: &Ident) -> Option<Mass> {
     let name = format!("inertia on {on}");
     let inertia = not_negative(scope, value, Dimension::INERTIA, "a moment of inertia", name);
     let place = MassPlace::At(uses::link(scope, on)?, [Scalar::zero(), Scalar::zero()]);
@@ -65,21 +108,21 @@ pub(super) fn inertia(scope: &mut Scope<'_>, value: &tree::Expr, on: &Ident) -> 
 
 /// A mass, an inertia or a number of a spring, made of constants and parameters; a constant one is
 /// not below zero.
-pub(super) fn not_negative(
+pub(in crate::model) fn not_negative(
     scope: &mut Scope<'_>,
-    expr: &tree::Expr,
+    expr: &Expr,
     dimension: Dimension,
     what: &str,
     name: String,
 ) -> Option<Magnitude> {
-    let fixed = actions::changes_with_no_input(scope, expr, what);
+    let fixed = acts::changes_with_no_input(scope, expr, what);
     let value = numbers::scalar(scope, expr, dimension)?;
     fixed?;
     not_below_zero(scope, value, expr.span, what, name)
 }
 
 /// The number; a constant or a parameter below zero is reported.
-pub(super) fn not_below_zero(
+pub(in crate::model) fn not_below_zero(
     scope: &mut Scope<'_>,
     value: Scalar,
     span: Extent,
@@ -134,7 +177,7 @@ fn point_mass(scope: &mut Scope<'_>, on: &Ident) -> Option<MassPlace> {
     }
     let point = uses::point(scope, on)?;
     match scope.mechanism.owner(point)? {
-        Body::Ground => actions::ground_moves_nothing(scope, on, "mass"),
+        Body::Ground => acts::ground_moves_nothing(scope, on, "mass"),
         Body::Link(link) => Some(MassPlace::Point(link, point)),
         Body::Pin(point) => Some(MassPlace::Pin(point)),
     }
@@ -154,7 +197,7 @@ fn point_is_on_link(
     if !scope.facts.links[link.index()].has_its_joints {
         return None;
     }
-    guides::no_point_of(scope, name, link);
+    guide::no_point_of(scope, name, link);
     None
 }
 
@@ -175,7 +218,7 @@ fn bar_is_uniform(scope: &mut Scope<'_>, name: &Ident, link: LinkId, at: Span) -
 }
 
 impl Magnitude {
-    pub(super) fn zero() -> Self {
+    pub(in crate::model) fn zero() -> Self {
         Self { value: Scalar::zero(), name: String::new() }
     }
 }

@@ -1,25 +1,47 @@
 //! `solve theta { ram.slide = x, mode: falling, near: seed }`: the equation that fixes an unknown.
 
 use proc_macro2::Ident;
+use syn::Attribute;
 
 use crate::diagnostics::nearest;
-use crate::syntax::tree::{self, Solve};
-
-use super::expressions::bare_name;
-use super::expressions::{self, ResolvedExpr};
-use super::mechanism::{Dimension, Equation, Length, Mode, Operator, ParamKind, Scalar};
-use super::modes::{trend_word, words_of};
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::searched::Searched;
-use super::{numbers, unknowns, uses};
 use crate::syntax::anatomy::Modes;
+use crate::syntax::tree::{Expr, Solve};
+
+use crate::model::expressions::{self, ResolvedExpr, bare_name};
+use crate::model::mechanism::{
+    Dimension, Equation, Length, Mode, Operator, ParamKind, Scalar, UnknownId,
+};
+use crate::model::modes::{trend_word, words_of};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::searched::Searched;
+use crate::model::{numbers, uses};
+
+use super::{Rules, unknown};
 
 /// The meaning of both modes.
 const MODES: &str = "`rising` or `falling`: how left minus right goes at the root while the unknown \
                      grows";
 
-pub(super) fn solve(scope: &mut Scope<'_>, solve: &Solve) {
+impl Rules for Solve {
+    fn title(&self, _name: &str) -> String {
+        format!("solve {}", self.unknown)
+    }
+
+    fn builds_on(&self) -> Vec<&Ident> {
+        vec![&self.unknown]
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        self.equation.iter().flatten().chain(&self.near).for_each(f);
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        solve(scope, self);
+    }
+}
+
+pub(in crate::model) fn solve(scope: &mut Scope<'_>, solve: &Solve) {
     let unknown = unknown_to_solve(scope, &solve.unknown);
     let equation = equation(scope, solve, unknown.is_some());
     let mode = trend(scope, solve);
@@ -46,7 +68,7 @@ pub(super) fn solve(scope: &mut Scope<'_>, solve: &Solve) {
 }
 
 /// The unknown that is searched, which is solved once.
-fn unknown_to_solve(scope: &mut Scope<'_>, name: &Ident) -> Option<super::mechanism::UnknownId> {
+fn unknown_to_solve(scope: &mut Scope<'_>, name: &Ident) -> Option<UnknownId> {
     let Entity::Unknown(id) = uses::usable(scope, name, &[Kind::Unknown])? else { return None };
     if scope.facts.searched().is_some_and(|searched| searched.id == id) {
         return Some(id);
@@ -93,8 +115,8 @@ fn equation(
 /// The equation of two sides: its expression is zero where they are equal.
 fn between_sides(
     scope: &mut Scope<'_>,
-    (left, a): (&tree::Expr, ResolvedExpr),
-    (right, b): (&tree::Expr, ResolvedExpr),
+    (left, a): (&Expr, ResolvedExpr),
+    (right, b): (&Expr, ResolvedExpr),
 ) -> Option<Equation> {
     if !a.links.is_empty() || !b.links.is_empty() {
         let difference = expressions::sum(scope, Operator::Sub, (left.span, a), (right, b))?;
@@ -122,11 +144,11 @@ fn between_sides(
 fn equation_moves(
     scope: &mut Scope<'_>,
     solve: &Solve,
-    [left, right]: [&tree::Expr; 2],
+    [left, right]: [&Expr; 2],
     equation: &Equation,
 ) -> Option<()> {
     let searched = scope.facts.searched()?;
-    let changes = |expr: &Scalar| unknowns::changes_with(scope, searched, expr);
+    let changes = |expr: &Scalar| unknown::changes_with(scope, searched, expr);
     let moves = match equation {
         Equation::Difference(sides) => sides.iter().any(changes),
         Equation::Turn(turn) => {
@@ -200,10 +222,10 @@ fn trend_param(scope: &mut Scope<'_>, word: &Ident) -> Option<Mode> {
 }
 
 /// Where a search begins is known before it.
-fn near(scope: &mut Scope<'_>, near: &tree::Expr, dimension: Dimension) -> Option<Scalar> {
+fn near(scope: &mut Scope<'_>, near: &Expr, dimension: Dimension) -> Option<Scalar> {
     let value = numbers::scalar(scope, near, dimension)?;
     let searched = scope.facts.searched()?;
-    if !unknowns::changes_with(scope, searched, &value) {
+    if !unknown::changes_with(scope, searched, &value) {
         return Some(value);
     }
     let message = format!("`near` cannot depend on `{}`", searched.name);

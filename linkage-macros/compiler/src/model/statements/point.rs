@@ -5,35 +5,53 @@ use syn::Attribute;
 
 use crate::exact::Exact;
 use crate::reach::{absolute, apex};
-use crate::syntax::tree::{self, Expr as Written};
+use crate::syntax::tree::{self, Expr, Expr as Written, PointStatement};
 
-use super::assembly::{constants, polar};
-use super::expressions::bare_name;
-use super::folding::shown;
-use super::mechanism::{Carrier, GroupName, Length, LinkId, PartOf, Placement, Scalar, Sign, Step};
-use super::scope::Scope;
-use super::{dyads, guides, modes, numbers, uses};
+use crate::model::assembly::{constants, polar};
+use crate::model::expressions::bare_name;
+use crate::model::folding::shown;
+use crate::model::mechanism::{
+    Carrier, GroupName, Length, LinkId, PartOf, Placement, Scalar, Sign, Step,
+};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::{declared, modes, numbers, stub, uses};
 
-pub(super) fn ground(scope: &mut Scope<'_>, docs: &[Attribute], points: &[(Ident, [Written; 2])]) {
-    for (name, place) in points {
-        let point = dyads::add_point(scope, docs, name, PartOf::Ground);
-        let at = [0, 1].map(|i| {
-            numbers::depends_on_no_input(scope, &place[i], name)?;
-            numbers::length(scope, &place[i])
-        });
-        let at = match at {
-            [Some(x), Some(y)] => Some([x, y]),
-            _ => None,
-        };
-        let Some(point) = point else {
-            continue;
-        };
-        scope.facts.fix(point, Carrier::Ground, at.as_ref().and_then(constants));
-        scope.mechanism.steps.extend(at.map(|at| Step::Ground { point, at }));
+use super::{Rules, guide};
+
+impl Rules for PointStatement {
+    fn declares(&self) -> Vec<(&Ident, Kind)> {
+        vec![(&self.name, Kind::Point)]
+    }
+
+    fn title(&self, name: &str) -> String {
+        format!("point {name}")
+    }
+
+    fn builds_on(&self) -> Vec<&Ident> {
+        self.on.iter().collect()
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        match &self.place {
+            tree::PointPlace::Cartesian(values)
+            | tree::PointPlace::Polar(values)
+            | tree::PointPlace::Distances(values, _) => values.iter().for_each(f),
+            tree::PointPlace::Mistake => {}
+        }
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], moves: bool) {
+        placed_point(scope, docs, &self.name, self.on.as_ref(), &self.place, moves);
+    }
+
+    fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
+        let by_itself = stub::group_by_itself(scope, "point", name);
+        Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
     }
 }
 
-pub(super) fn placed_point(
+pub(in crate::model) fn placed_point(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     name: &Ident,
@@ -41,7 +59,7 @@ pub(super) fn placed_point(
     place: &tree::PointPlace,
     moves: bool,
 ) {
-    let carrier = guides::carrier(scope, on);
+    let carrier = guide::carrier(scope, on);
     let damaged = matches!(place, tree::PointPlace::Mistake);
     let place = self::place(scope, name, carrier, place);
     // Where its link is not known, neither is the point.
@@ -50,10 +68,12 @@ pub(super) fn placed_point(
         return;
     };
     let (part_of, group) = match carrier {
-        Carrier::Ground => (PartOf::Driven(dyads::next_group(scope)), dyads::next_group(scope)),
+        Carrier::Ground => {
+            (PartOf::Driven(declared::next_group(scope)), declared::next_group(scope))
+        }
         Carrier::Link(link) => (PartOf::Link(link), scope.mechanism.links[link.index()].made_by),
     };
-    let Some(point) = dyads::add_point(scope, docs, name, part_of) else {
+    let Some(point) = declared::add_point(scope, docs, name, part_of) else {
         return;
     };
     if carrier == Carrier::Ground {

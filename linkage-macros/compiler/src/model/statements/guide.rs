@@ -1,25 +1,74 @@
 //! Guides: lines with a direction, fixed in the ground or in a link.
 
 use proc_macro2::Ident;
+use syn::Attribute;
 
 use crate::exact::Exact;
 use crate::reach::line::BodyLine;
-use crate::syntax::tree;
+use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
-use super::assembly::constants;
-use super::expressions::bare_name;
-use super::facts::GuideFacts;
-use super::mechanism::{Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through};
-use super::names::Entity;
-use super::scope::Scope;
-use super::{numbers, uses};
+use crate::model::assembly::constants;
+use crate::model::expressions::bare_name;
+use crate::model::facts::GuideFacts;
+use crate::model::mechanism::{
+    Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through,
+};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::{numbers, uses};
 
-pub(super) fn guide_line(
+use super::Rules;
+
+impl Rules for GuideStatement {
+    fn declares(&self) -> Vec<(&Ident, Kind)> {
+        vec![(&self.name, Kind::Guide)]
+    }
+
+    fn title(&self, name: &str) -> String {
+        format!("guide {name}")
+    }
+
+    fn builds_on(&self) -> Vec<&Ident> {
+        let through = match &self.through {
+            GuideAnchor::Point(point) => Some(point),
+            GuideAnchor::At(_) | GuideAnchor::Mistake => None,
+        };
+        let towards = match &self.course {
+            Course::Towards(point) => Some(point),
+            Course::Along(_) | Course::Mistake => None,
+        };
+        self.on.iter().chain(through).chain(towards).collect()
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        if let GuideAnchor::At(place) = &self.through {
+            place.iter().for_each(&mut *f);
+        }
+        if let Course::Along(angle) = &self.course {
+            f(angle);
+        }
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], moves: bool) {
+        guide_line(scope, &self.name, self.on.as_ref(), &self.through, &self.course, moves);
+    }
+
+    fn stand_in(&self, scope: &mut Scope<'_>, _docs: &[Attribute], name: &Ident) -> Option<Entity> {
+        let guides = &mut scope.mechanism.guides;
+        guides.push(Guide { name: name.clone() });
+        let carrier = Carrier::Ground;
+        let facts = GuideFacts { moves: false, carrier, line: None, angle: None };
+        scope.facts.guides.push(facts);
+        Some(Entity::Guide(GuideId(guides.len() as u32 - 1)))
+    }
+}
+
+pub(in crate::model) fn guide_line(
     scope: &mut Scope<'_>,
     name: &Ident,
     on: Option<&Ident>,
-    through: &tree::GuideAnchor,
-    course: &tree::Course,
+    through: &GuideAnchor,
+    course: &Course,
     moves: bool,
 ) {
     let is_new = uses::name_is_new(scope, name).is_some();
@@ -54,7 +103,7 @@ pub(super) fn guide_line(
 }
 
 /// The body that something is declared on; the ground where none is named.
-pub(super) fn carrier(scope: &mut Scope<'_>, on: Option<&Ident>) -> Option<Carrier> {
+pub(in crate::model) fn carrier(scope: &mut Scope<'_>, on: Option<&Ident>) -> Option<Carrier> {
     match on {
         None => Some(Carrier::Ground),
         Some(name) if name == "ground" => Some(Carrier::Ground),
@@ -65,44 +114,44 @@ pub(super) fn carrier(scope: &mut Scope<'_>, on: Option<&Ident>) -> Option<Carri
 /// The point a guide goes through, and its place if that is constant.
 fn spot(
     scope: &mut Scope<'_>,
-    spot: &tree::GuideAnchor,
+    spot: &GuideAnchor,
     carrier: Option<Carrier>,
 ) -> Option<(Through, Option<[Exact; 2]>)> {
     match spot {
-        tree::GuideAnchor::At(place) => {
+        GuideAnchor::At(place) => {
             let place = numbers::lengths(scope, place)?;
             let at = constants(&place);
             Some((Through::At(place), at))
         }
-        tree::GuideAnchor::Point(name) => {
+        GuideAnchor::Point(name) => {
             let (point, at) = point_lies_on_carrier(scope, name, carrier)?;
             Some((Through::Point(point), at))
         }
-        tree::GuideAnchor::Mistake => None,
+        GuideAnchor::Mistake => None,
     }
 }
 
 /// Where a guide goes, and where that lies if it is a point at a constant place.
 fn course(
     scope: &mut Scope<'_>,
-    course: &tree::Course,
+    course: &Course,
     carrier: Option<Carrier>,
 ) -> Option<(GuideDirection, Option<[Exact; 2]>)> {
     match course {
-        tree::Course::Along(angle) => {
+        Course::Along(angle) => {
             axis_is_an_angle(scope, angle)?;
             Some((GuideDirection::Along(numbers::turn(scope, angle)?), None))
         }
-        tree::Course::Towards(name) => {
+        Course::Towards(name) => {
             let (point, at) = point_lies_on_carrier(scope, name, carrier)?;
             Some((GuideDirection::Towards(point), at))
         }
-        tree::Course::Mistake => None,
+        Course::Mistake => None,
     }
 }
 
 /// An axis, by its name, is no angle.
-fn axis_is_an_angle(scope: &mut Scope<'_>, angle: &tree::Expr) -> Option<()> {
+fn axis_is_an_angle(scope: &mut Scope<'_>, angle: &Expr) -> Option<()> {
     let name = bare_name(angle).filter(|name| scope.names.kind(name).is_none());
     let degrees = match name.map(ToString::to_string).as_deref() {
         Some("x" | "X" | "horizontal") => "0deg",
@@ -143,7 +192,7 @@ fn point_lies_on_carrier(
 }
 
 /// Says so, and which are.
-pub(super) fn no_point_of(scope: &mut Scope<'_>, name: &Ident, link: LinkId) {
+pub(in crate::model) fn no_point_of(scope: &mut Scope<'_>, name: &Ident, link: LinkId) {
     let points = scope.facts.points_of(Carrier::Link(link));
     let points: Vec<_> =
         points.map(|point| format!("`{}`", scope.mechanism.points[point.index()].name)).collect();

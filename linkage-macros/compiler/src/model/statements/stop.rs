@@ -4,13 +4,15 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::syntax::anatomy::{GroupSpec, Pin, needed, optional};
-use crate::syntax::tree::{self, StopStatement};
+use crate::syntax::tree::{Expr, StopStatement};
 
-use super::acting::{Effort, Magnitude, RequestedEffort, Stop, Stopped};
-use super::mechanism::{Dimension, Scalar, StopId};
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::{actions, expressions, fields, masses, numbers, uses};
+use crate::model::acting::{Effort, Magnitude, RequestedEffort, Stop, Stopped};
+use crate::model::mechanism::{AngleSum, Dimension, Scalar, StopId};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::{expressions, fields, numbers, uses};
+
+use super::{Rules, acts, mass};
 
 const STOP: GroupSpec = GroupSpec {
     keyword: "stop",
@@ -26,9 +28,42 @@ const STOP: GroupSpec = GroupSpec {
 };
 
 /// The members of a stop.
-pub(super) const PARTS: [&str; 2] = ["force", "gap"];
+pub(in crate::model) const PARTS: [&str; 2] = ["force", "gap"];
 
-pub(super) fn stop(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) {
+impl Rules for StopStatement {
+    fn declares(&self) -> Vec<(&Ident, Kind)> {
+        self.name.iter().map(|name| (name, Kind::Stop)).collect()
+    }
+
+    fn title(&self, name: &str) -> String {
+        format!("stop {name}")
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        f(&self.of);
+        self.ends.iter().chain(self.fields.values()).for_each(f);
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+        stop(scope, docs, self);
+    }
+
+    fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
+        let of = Stopped::Angle(AngleSum { links: Vec::new(), rest: Scalar::zero() });
+        let ends = [(); 2].map(|()| Scalar::zero());
+        let [stiffness, damping] = [(); 2].map(|()| Magnitude::zero());
+        let (name, docs) = (Some(name.clone()), docs.to_vec());
+        let stops = &mut scope.mechanism.dynamics.stops;
+        stops.push(Stop { name, docs, of, ends, stiffness, damping });
+        Some(Entity::Stop(StopId(stops.len() as u32 - 1)))
+    }
+
+    fn acts(&self) -> bool {
+        true
+    }
+}
+
+pub(in crate::model) fn stop(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) {
     let name = &written.name;
     let is_new = name.as_ref().is_none_or(|name| uses::name_is_new(scope, name).is_some());
     let stop = stop_of(scope, docs, written);
@@ -49,12 +84,12 @@ fn stop_of(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) -
         Stopped::Slide(_) | Stopped::Distance(_) => Dimension::FORCE.times(Dimension::LENGTH, -1),
     };
     let stiffness = fields.one("stiffness").and_then(|value| {
-        masses::not_negative(scope, value, per_unit, "a stiffness", "stiffness".to_string())
+        mass::not_negative(scope, value, per_unit, "a stiffness", "stiffness".to_string())
     });
     let damping = match fields.one("damping") {
         Some(value) => {
             let dimension = per_unit.times(Dimension::TIME, 1);
-            masses::not_negative(scope, value, dimension, "a damping", "damping".to_string())
+            mass::not_negative(scope, value, dimension, "a damping", "damping".to_string())
         }
         None => Some(Magnitude::zero()),
     };
@@ -69,7 +104,7 @@ fn stop_of(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) -
 }
 
 /// A stop pushes on what it stops: on links by their angles or a slide, or on two points.
-fn stopped(scope: &mut Scope<'_>, of: &tree::Expr) -> Option<Stopped> {
+fn stopped(scope: &mut Scope<'_>, of: &Expr) -> Option<Stopped> {
     let sum = expressions::quantity(scope, of)?.turn();
     match (sum.links.is_empty(), &sum.rest) {
         (true, Scalar::Slide(link)) => Some(Stopped::Slide(*link)),
@@ -88,11 +123,11 @@ fn stopped(scope: &mut Scope<'_>, of: &tree::Expr) -> Option<Stopped> {
 /// The ends, the lower one first.
 fn ends_of_stop(
     scope: &mut Scope<'_>,
-    written: &[tree::Expr; 2],
+    written: &[Expr; 2],
     dimension: Dimension,
 ) -> Option<[Scalar; 2]> {
     let [from, to] = [0, 1].map(|end| {
-        let fixed = actions::changes_with_no_input(scope, &written[end], "an end of a stop");
+        let fixed = acts::changes_with_no_input(scope, &written[end], "an end of a stop");
         let value = numbers::scalar(scope, &written[end], dimension);
         fixed.and(value)
     });
@@ -109,7 +144,7 @@ fn ends_of_stop(
 }
 
 /// `bumper.force`, `bumper.gap`
-pub(super) fn effort_of_stop(
+pub(in crate::model) fn effort_of_stop(
     scope: &mut Scope<'_>,
     owner: &Ident,
     member: &Ident,
@@ -128,7 +163,9 @@ pub(super) fn effort_of_stop(
 }
 
 /// Both members of every named stop.
-pub(super) fn efforts_of_stops(scope: &Scope<'_>) -> impl Iterator<Item = RequestedEffort> {
+pub(in crate::model) fn efforts_of_stops(
+    scope: &Scope<'_>,
+) -> impl Iterator<Item = RequestedEffort> {
     let stops = scope.mechanism.dynamics.stops.iter().enumerate();
     stops.flat_map(|(index, stop)| {
         let id = StopId(index as u32);

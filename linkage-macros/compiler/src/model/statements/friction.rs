@@ -1,18 +1,48 @@
 //! Friction at pins and guides: the two bodies that rub, and the reaction that presses them together.
 
 use proc_macro2::{Ident, Span};
+use syn::Attribute;
 
-use crate::syntax::tree::{self, Action, Declaration, FrictionSite, StatementKind};
+use crate::syntax::tree::{
+    Action, Declaration, Expr, FrictionSite, FrictionStatement, StatementKind,
+};
 
-use super::acting::{Contact, Friction, Magnitude};
-use super::folding::shown;
-use super::mechanism::{Body, Carrier, Dimension, Drive, Length, LinkId, PartOf, PointId, Scalar};
-use super::names::{Kind, listed};
-use super::scope::Scope;
-use super::{actions, driving_load, masses, uses};
+use crate::model::acting::{Contact, Friction, Magnitude};
+use crate::model::folding::shown;
+use crate::model::mechanism::{
+    Body, Carrier, Dimension, Drive, Length, LinkId, PartOf, PointId, Scalar,
+};
+use crate::model::names::{Kind, listed};
+use crate::model::scope::Scope;
+use crate::model::uses;
+
+use super::{Rules, acts, drive_by, mass};
 
 /// The most joints that rub where a load drives an input.
 const MOST: usize = 8;
+
+impl Rules for FrictionStatement {
+    fn builds_on(&self) -> Vec<&Ident> {
+        match &self.site {
+            FrictionSite::Pin(name) | FrictionSite::Slider(name) => vec![name],
+            FrictionSite::LinkAtPin(link, pin) => vec![link, pin],
+            FrictionSite::Between([first, second], pin) => vec![first, second, pin],
+        }
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        let Self { coefficient, radius, length, smooth, .. } = self;
+        [coefficient].into_iter().chain(radius).chain(length).chain(smooth).for_each(f);
+    }
+
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        // Which links meet at a pin is known when all are: `frictions`.
+    }
+
+    fn acts(&self) -> bool {
+        true
+    }
+}
 
 /// A pin's friction as it is written of a link.
 fn of_link(link: &Ident, pin: &Ident) -> String {
@@ -21,7 +51,7 @@ fn of_link(link: &Ident, pin: &Ident) -> String {
 
 /// Friction of every joint that is said to have some, once all joints are known. Where anything was
 /// reported, a joint may be missing.
-pub(super) fn frictions(scope: &mut Scope<'_>, tree: &Declaration) {
+pub(in crate::model) fn frictions(scope: &mut Scope<'_>, tree: &Declaration) {
     if scope.diagnostics.count() > 0 {
         return;
     }
@@ -64,7 +94,7 @@ fn too_many_rub(scope: &mut Scope<'_>, at: Span) -> bool {
     true
 }
 
-fn friction(scope: &mut Scope<'_>, written: &tree::FrictionStatement) -> Option<Friction> {
+fn friction(scope: &mut Scope<'_>, written: &FrictionStatement) -> Option<Friction> {
     let (contact, name) = match &written.site {
         FrictionSite::Slider(link) => (slider(scope, link)?, link.to_string()),
         FrictionSite::Pin(pin) => (only_pair(scope, pin)?, pin.to_string()),
@@ -76,16 +106,16 @@ fn friction(scope: &mut Scope<'_>, written: &tree::FrictionStatement) -> Option<
         }
     };
     let what = "a coefficient of friction";
-    let value = actions::acting(scope, &written.coefficient, Dimension::NUMBER)?;
-    driving_load::is_free_of_pull(scope, &written.coefficient, &value)?;
+    let value = acts::acting(scope, &written.coefficient, Dimension::NUMBER)?;
+    drive_by::is_free_of_pull(scope, &written.coefficient, &value)?;
     let span = written.coefficient.span;
     let name = format!("friction at {name}");
-    let coefficient = masses::not_below_zero(scope, value, span, what, name.clone())?;
+    let coefficient = mass::not_below_zero(scope, value, span, what, name.clone())?;
     let (radius, length, rate) = match contact {
         Contact::Pin { .. } => {
             has_no(scope, &written.length, "a pin has a `radius` and no length")?;
             let radius = radius(scope, written)?;
-            let value = masses::not_negative(
+            let value = mass::not_negative(
                 scope,
                 radius,
                 Dimension::LENGTH,
@@ -112,10 +142,7 @@ fn friction(scope: &mut Scope<'_>, written: &tree::FrictionStatement) -> Option<
     Some(Friction { contact, coefficient, radius, length, smooth })
 }
 
-fn radius<'t>(
-    scope: &mut Scope<'_>,
-    written: &'t tree::FrictionStatement,
-) -> Option<&'t tree::Expr> {
+fn radius<'t>(scope: &mut Scope<'_>, written: &'t FrictionStatement) -> Option<&'t Expr> {
     if written.radius.is_none() {
         let message = "a pin's friction needs its radius: `… radius 8mm`";
         let reason = "the couple is coefficient × radius × load; of what slides, write `friction 0.1 on \
@@ -125,7 +152,7 @@ fn radius<'t>(
     written.radius.as_ref()
 }
 
-fn has_no(scope: &mut Scope<'_>, part: &Option<tree::Expr>, message: &str) -> Option<()> {
+fn has_no(scope: &mut Scope<'_>, part: &Option<Expr>, message: &str) -> Option<()> {
     let Some(part) = part else { return Some(()) };
     let reason = "`length` is that of a block that touches its guide at both ends";
     scope.diagnostics.error_because(part.span, message, reason);
@@ -135,12 +162,12 @@ fn has_no(scope: &mut Scope<'_>, part: &Option<tree::Expr>, message: &str) -> Op
 /// A number of the machine that is divided by.
 fn above_zero(
     scope: &mut Scope<'_>,
-    expr: &tree::Expr,
+    expr: &Expr,
     measure: Dimension,
     what: &str,
 ) -> Option<Length> {
     let name = format!("friction, {what}");
-    let Magnitude { value, name } = masses::not_negative(scope, expr, measure, what, name)?;
+    let Magnitude { value, name } = mass::not_negative(scope, expr, measure, what, name)?;
     if let Scalar::Constant(constant) = &value
         && constant.is_zero()
     {
@@ -286,7 +313,7 @@ fn link_on_pin(scope: &mut Scope<'_>, name: &Ident, pin_name: &Ident) -> Option<
 
 /// `between BC and EF at C`: the one that stands on the pin presses with its own force.
 fn pair_at(scope: &mut Scope<'_>, names: &[Ident; 2], pin_name: &Ident) -> Option<Contact> {
-    let bodies = actions::two_bodies(scope, names, "friction is")?;
+    let bodies = acts::two_bodies(scope, names, "friction is")?;
     let pin = uses::point(scope, pin_name)?;
     let (standing, joined) = at_pin(scope, pin);
     let owner = match scope.mechanism.owner(pin)? {

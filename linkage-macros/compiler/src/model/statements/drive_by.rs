@@ -1,26 +1,43 @@
 //! `drive theta by pull;`: a load that stands in forces and puts in the effort of an input. Its value follows.
 
 use proc_macro2::Ident;
+use syn::Attribute;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind};
+use crate::syntax::tree::{self, Declaration, DriveByStatement, ExprKind, StatementKind};
 
-use super::acting::{Dynamics, Effort, Load};
-use super::dimension::Measure;
-use super::expressions::{Allowed, ResolvedExpr};
-use super::facts::{Degree, Reads};
-use super::ids::{InputId, LinkId};
-use super::mechanism::{
+use crate::model::acting::{Dynamics, Effort, Load};
+use crate::model::dimension::Measure;
+use crate::model::expressions::{Allowed, ResolvedExpr};
+use crate::model::facts::{Degree, Reads};
+use crate::model::ids::{InputId, LinkId};
+use crate::model::mechanism::{
     Drive, Group, GuideDirection, Mechanism, Operator, Placement, Scalar, Slideway, Step, Through,
 };
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::{actions, dynamics_outputs, numbers, uses};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::{dynamics_outputs, numbers, uses};
+
+use super::{Rules, acts};
+
+impl Rules for DriveByStatement {
+    fn title(&self, _name: &str) -> String {
+        format!("drive {} by {}", self.input, self.load)
+    }
+
+    fn builds_on(&self) -> Vec<&Ident> {
+        vec![&self.input, &self.load]
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        drive_by(scope, &self.input, &self.load);
+    }
+}
 
 /// The load behind the first `by`.
-pub(super) fn named_by(tree: &Declaration) -> Option<&Ident> {
+pub(in crate::model) fn named_by(tree: &Declaration) -> Option<&Ident> {
     tree.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::DriveBy { load, .. } => Some(load),
+        StatementKind::DriveBy(DriveByStatement { load, .. }) => Some(load),
         _ => None,
     })
 }
@@ -51,7 +68,7 @@ impl Dynamics {
 impl Mechanism {
     /// The input and the load that leave a crank or a slider without an effort of its own: no other dimension moves
     /// with the input.
-    pub(super) fn driven_through(&self, link: LinkId) -> Option<(InputId, &Load)> {
+    pub(in crate::model) fn driven_through(&self, link: LinkId) -> Option<(InputId, &Load)> {
         let (input, load) = self.dynamics.driven()?;
         let is_input = |expr: &Scalar| matches!(expr, Scalar::Input(id) if *id == input);
         let drive = self.group_with(link)?.outer.first()?.drive.as_ref()?;
@@ -123,7 +140,7 @@ impl Group {
     }
 }
 
-pub(super) fn drive_by(scope: &mut Scope<'_>, input: &Ident, load: &Ident) {
+pub(in crate::model) fn drive_by(scope: &mut Scope<'_>, input: &Ident, load: &Ident) {
     let (driven, by) =
         (uses::usable(scope, input, &[Kind::Input]), uses::usable(scope, load, &[Kind::Load]));
     let is_first = scope.facts.driving.as_deref() == Some(&load.to_string())
@@ -139,12 +156,12 @@ pub(super) fn drive_by(scope: &mut Scope<'_>, input: &Ident, load: &Ident) {
 }
 
 /// The value of a load in forces, torques and outputs.
-pub(super) fn value_of_load(
+pub(in crate::model) fn value_of_load(
     scope: &mut Scope<'_>,
     name: &Ident,
     allowed: Allowed,
 ) -> Option<ResolvedExpr> {
-    actions::load_stands_in_a_force(scope, name, allowed)?;
+    acts::load_stands_in_a_force(scope, name, allowed)?;
     let entity = uses::usable(scope, name, &[Kind::Load])?;
     let dynamics = &scope.mechanism.dynamics;
     let (load, value) = match entity {
@@ -158,7 +175,7 @@ pub(super) fn value_of_load(
 }
 
 /// The power to which a number contains the load that drives an input.
-pub(super) fn degree(scope: &Scope<'_>, expr: &Scalar) -> Degree {
+pub(in crate::model) fn degree(scope: &Scope<'_>, expr: &Scalar) -> Degree {
     let within = |inner: Degree| if inner == Degree::Free { inner } else { Degree::Other };
     match expr {
         Scalar::Pull => Degree::Linear,
@@ -184,7 +201,7 @@ pub(super) fn degree(scope: &Scope<'_>, expr: &Scalar) -> Degree {
 }
 
 /// A force is a multiple of the load that drives an input, and what is free of it.
-pub(super) fn is_linear_in_pull(
+pub(in crate::model) fn is_linear_in_pull(
     scope: &mut Scope<'_>,
     expr: &tree::Expr,
     value: &Scalar,
@@ -202,7 +219,7 @@ pub(super) fn is_linear_in_pull(
 }
 
 /// A share of what presses a joint is no share of what follows from it.
-pub(super) fn is_free_of_pull(
+pub(in crate::model) fn is_free_of_pull(
     scope: &mut Scope<'_>,
     expr: &tree::Expr,
     value: &Scalar,
@@ -237,7 +254,11 @@ fn pull_is_refused(
 }
 
 /// The effort of an input is put in by no load.
-pub(super) fn has_a_drive(scope: &mut Scope<'_>, owner: &Ident, id: InputId) -> Option<()> {
+pub(in crate::model) fn has_a_drive(
+    scope: &mut Scope<'_>,
+    owner: &Ident,
+    id: InputId,
+) -> Option<()> {
     let Some((driven, load)) = scope.mechanism.dynamics.driven() else { return Some(()) };
     if driven != id {
         return Some(());
@@ -249,7 +270,11 @@ pub(super) fn has_a_drive(scope: &mut Scope<'_>, owner: &Ident, id: InputId) -> 
 }
 
 /// The drive of a link is put in by no load.
-pub(super) fn link_has_a_drive(scope: &mut Scope<'_>, owner: &Ident, link: LinkId) -> Option<()> {
+pub(in crate::model) fn link_has_a_drive(
+    scope: &mut Scope<'_>,
+    owner: &Ident,
+    link: LinkId,
+) -> Option<()> {
     let Some((input, load)) = scope.mechanism.driven_through(link) else { return Some(()) };
     let input = &scope.mechanism.inputs[input.index()].name;
     let message =
@@ -260,7 +285,11 @@ pub(super) fn link_has_a_drive(scope: &mut Scope<'_>, owner: &Ident, link: LinkI
 }
 
 /// Returns true if the output is the load that drives an input.
-pub(super) fn pull_output(scope: &mut Scope<'_>, docs: &[syn::Attribute], name: &Ident) -> bool {
+pub(in crate::model) fn pull_output(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    name: &Ident,
+) -> bool {
     let is_pull = scope.names.entity(name) == Some(Entity::Pull);
     if is_pull {
         let own = scope.mechanism.dynamics.pull.iter().flat_map(|load| &load.docs);

@@ -2,27 +2,48 @@
 //! and in outputs, and are refused where something is made of them.
 
 use proc_macro2::Ident;
+use syn::Attribute;
 
-use crate::syntax::tree::{self, ExprKind};
+use crate::syntax::tree::{Expr, ExprKind, LetStatement};
 
-use super::expressions::{self, Allowed, ResolvedExpr};
-use super::facts::{LetFacts, Reads};
-use super::mechanism::{LawId, LetId, Scalar};
-use super::names::Entity;
-use super::scope::Scope;
-use super::{driving_load, uses};
+use crate::model::expressions::{self, Allowed, ResolvedExpr};
+use crate::model::facts::{LetFacts, Reads};
+use crate::model::mechanism::{LawId, LetId, Scalar};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::uses;
 
-pub(super) fn named_expression(
+use super::{Rules, drive_by};
+
+impl Rules for LetStatement {
+    fn declares(&self) -> Vec<(&Ident, Kind)> {
+        vec![(&self.name, Kind::Let)]
+    }
+
+    fn title(&self, name: &str) -> String {
+        format!("let {name}")
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        f(&self.value);
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], moves: bool) {
+        named_expression(scope, &self.name, &self.value, moves);
+    }
+}
+
+pub(in crate::model) fn named_expression(
     scope: &mut Scope<'_>,
     name: &Ident,
-    value: &tree::Expr,
+    value: &Expr,
     moves: bool,
 ) {
     let is_new = uses::name_is_new(scope, name).is_some();
     // It is refused where it is used, if it does not stand there.
     let quantity = expressions::expression(scope, value, Allowed::IN_FORCES);
     let (true, Some(quantity)) = (is_new, quantity) else { return };
-    let pull = driving_load::degree(scope, &quantity.rest);
+    let pull = drive_by::degree(scope, &quantity.rest);
     let (measure, reads) = (quantity.measure, quantity.reads.clone());
     let is_law = reads.is_of_forces();
     let facts = LetFacts { measure, moves, reads, pull };
@@ -43,7 +64,7 @@ pub(super) fn named_expression(
 }
 
 /// The value of a `let`, where it may stand here.
-pub(super) fn value_of_let(
+pub(in crate::model) fn value_of_let(
     scope: &mut Scope<'_>,
     name: &Ident,
     entity: Entity,
@@ -67,7 +88,7 @@ pub(super) fn value_of_let(
 }
 
 /// A law of rates or loads stands in forces, torques and outputs.
-pub(super) fn law_stands_here(
+pub(in crate::model) fn law_stands_here(
     scope: &mut Scope<'_>,
     name: &Ident,
     reads: &Reads,
@@ -99,7 +120,11 @@ pub(super) fn law_stands_here(
 }
 
 /// The part of an expression is a law of which this is true.
-pub(super) fn is_law(scope: &Scope<'_>, part: &tree::Expr, reads: impl Fn(&Reads) -> bool) -> bool {
+pub(in crate::model) fn is_law(
+    scope: &Scope<'_>,
+    part: &Expr,
+    reads: impl Fn(&Reads) -> bool,
+) -> bool {
     let ExprKind::Name(name) = &part.kind else { return false };
     match scope.names.entity(name) {
         Some(Entity::Law(id)) => reads(&scope.facts.laws[id.index()].reads),

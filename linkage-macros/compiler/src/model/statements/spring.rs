@@ -4,16 +4,18 @@ use proc_macro2::Ident;
 use quote::format_ident;
 use syn::Attribute;
 
-use crate::syntax::tree::{Expr, ExprKind, GroupStatement};
-
-use super::acting::{Effort, Ends, Magnitude, Spring};
-use super::expressions::{self, Allowed, RATE, ResolvedExpr, counted};
-use super::fields::{self, Fields};
-use super::mechanism::{self, Dimension, OutputKind, SpringId};
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::{actions, dynamics_outputs, laws, masses, numbers, outputs, uses};
 use crate::syntax::anatomy::{FieldRule, GroupSpec, Pin, optional};
+use crate::syntax::tree::{Expr, ExprKind, GroupStatement, SpringStatement};
+
+use crate::model::acting::{Effort, Ends, Magnitude, Spring};
+use crate::model::expressions::{self, Allowed, RATE, ResolvedExpr, counted};
+use crate::model::fields::{self, Fields};
+use crate::model::mechanism::{self, Carrier, Dimension, OutputKind, PointId, SpringId};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::{dynamics_outputs, numbers, uses};
+
+use super::{Rules, acts, mass, named, output};
 
 const DAMPING: FieldRule = optional("damping", "what it exerts against its rate, `10(N*s/m)`");
 
@@ -41,7 +43,45 @@ const BETWEEN_BODIES: GroupSpec = GroupSpec {
     ..BETWEEN_POINTS
 };
 
-pub(super) fn spring(
+impl Rules for SpringStatement {
+    fn declares(&self) -> Vec<(&Ident, Kind)> {
+        self.name.iter().map(|name| (name, Kind::Spring)).collect()
+    }
+
+    fn title(&self, name: &str) -> String {
+        format!("spring {name}")
+    }
+
+    fn builds_on(&self) -> Vec<&Ident> {
+        self.ends.iter().collect()
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        self.fields.values().for_each(f);
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+        spring(scope, docs, &self.name, &self.ends, &self.fields);
+    }
+
+    fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
+        let ends = match is_between_bodies(scope, &self.ends) || scope.mechanism.points.is_empty() {
+            true => Ends::Bodies([Carrier::Ground; 2]),
+            false => Ends::Points([PointId(0); 2]),
+        };
+        let [stiffness, damping, free] = [(); 3].map(|()| Magnitude::zero());
+        let (name, docs) = (Some(name.clone()), docs.to_vec());
+        let springs = &mut scope.mechanism.dynamics.springs;
+        springs.push(Spring { name, docs, ends, stiffness, damping, free });
+        Some(Entity::Spring(SpringId(springs.len() as u32 - 1)))
+    }
+
+    fn acts(&self) -> bool {
+        true
+    }
+}
+
+pub(in crate::model) fn spring(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     name: &Option<Ident>,
@@ -63,7 +103,7 @@ pub(super) fn spring(
 }
 
 /// True if one of the ends is a body: the other should then be one, too.
-pub(super) fn is_between_bodies(scope: &Scope<'_>, ends: &[Ident; 2]) -> bool {
+pub(in crate::model) fn is_between_bodies(scope: &Scope<'_>, ends: &[Ident; 2]) -> bool {
     ends.iter().any(|end| end == "ground" || scope.names.kind(end) == Some(Kind::Link))
 }
 
@@ -90,7 +130,7 @@ fn straight_spring(
     names: &[Ident; 2],
     group: &GroupStatement,
 ) -> Option<Spring> {
-    let ends = actions::two_points(scope, names, "a spring is");
+    let ends = acts::two_points(scope, names, "a spring is");
     let fields = fields::fields(scope, group, &BETWEEN_POINTS);
     let per_length = Dimension::FORCE.times(Dimension::LENGTH, -1);
     let stiffness = number_of_spring(scope, &fields, "stiffness", "a stiffness", per_length);
@@ -135,14 +175,14 @@ fn torsion_spring(
     names: &[Ident; 2],
     group: &GroupStatement,
 ) -> Option<Spring> {
-    let ends = actions::two_bodies(scope, names, "a spring between links is");
+    let ends = acts::two_bodies(scope, names, "a spring between links is");
     let fields = fields::fields(scope, group, &BETWEEN_BODIES);
     let stiffness = number_of_spring(scope, &fields, "stiffness", "a stiffness", Dimension::TORQUE);
     let damping = damping(scope, &fields, Dimension::TORQUE);
     let free = match fields.one("free_angle") {
         None => Some(mechanism::Scalar::zero()),
         Some(angle) => {
-            let fixed = actions::changes_with_no_input(scope, angle, "a free angle");
+            let fixed = acts::changes_with_no_input(scope, angle, "a free angle");
             let angle = numbers::plain_angle(scope, angle);
             fixed.and(angle)
         }
@@ -172,7 +212,7 @@ fn number_of_spring(
     dimension: Dimension,
 ) -> Option<Magnitude> {
     match fields.one(field) {
-        Some(value) => masses::not_negative(scope, value, dimension, what, field.to_string()),
+        Some(value) => mass::not_negative(scope, value, dimension, what, field.to_string()),
         None => Some(Magnitude::zero()),
     }
 }
@@ -193,7 +233,7 @@ fn spring_does_something(
 }
 
 /// `rate(x)`: in forces, torques and outputs, of what moves.
-pub(super) fn rate(
+pub(in crate::model) fn rate(
     scope: &mut Scope<'_>,
     name: &Ident,
     arguments: &[Expr],
@@ -226,10 +266,10 @@ fn argument_of_rate(
 ) -> Option<ResolvedExpr> {
     let load = numbers::first(scope, argument, &|scope, part| match &part.kind {
         ExprKind::Name(name) if scope.names.kind(name) == Some(Kind::Load) => true,
-        _ => laws::is_law(scope, part, |reads| reads.load),
+        _ => named::is_law(scope, part, |reads| reads.load),
     });
     let nested = numbers::first(scope, argument, &|scope, part| {
-        is_rate(part) || laws::is_law(scope, part, |reads| reads.rate)
+        is_rate(part) || named::is_law(scope, part, |reads| reads.rate)
     });
     let mistake = match (load, nested) {
         (Some(at), _) => Some((at, "a load has no rate", "it is a number that each call is given")),
@@ -264,7 +304,7 @@ fn argument_of_rate(
 }
 
 /// `shock.force`, `shock.length`; `clutch.torque`, `clutch.angle`.
-pub(super) fn spring_output(
+pub(in crate::model) fn spring_output(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     owner: &Ident,
@@ -282,11 +322,11 @@ pub(super) fn spring_output(
         Ends::Bodies(_) => (mechanism::Scalar::Twist(id), Dimension::ANGLE),
     };
     let kind = OutputKind::Value { value, dimension };
-    outputs::give(scope, member.span(), field, &[docs, &own].concat(), kind);
+    output::give(scope, member.span(), field, &[docs, &own].concat(), kind);
 }
 
 /// The effort of a spring in an expression.
-pub(super) fn effort_of_spring(
+pub(in crate::model) fn effort_of_spring(
     scope: &mut Scope<'_>,
     owner: &Ident,
     member: &Ident,
@@ -318,7 +358,7 @@ fn part_of_spring(
 }
 
 /// The members of a spring: its force and length, or its torque and angle.
-pub(super) fn parts(ends: Ends) -> [&'static str; 2] {
+pub(in crate::model) fn parts(ends: Ends) -> [&'static str; 2] {
     match ends {
         Ends::Points(_) => ["force", "length"],
         Ends::Bodies(_) => ["torque", "angle"],
@@ -326,6 +366,6 @@ pub(super) fn parts(ends: Ends) -> [&'static str; 2] {
 }
 
 /// True if the expression is a rate.
-pub(super) fn is_rate(expr: &Expr) -> bool {
+pub(in crate::model) fn is_rate(expr: &Expr) -> bool {
     matches!(&expr.kind, ExprKind::Call(function, _) if function == RATE)
 }

@@ -4,19 +4,20 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::diagnostics::nearest;
-use crate::syntax::tree;
+use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
+use crate::syntax::tree::{self, Expr};
 use crate::syntax::words::built_by;
 
-use super::facts::LinkFacts;
-use super::fields::{self, Fields};
-use super::mechanism::{GroupId, GroupName, GuideId, Link, LinkId, PartOf, Point, PointId, Step};
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::{jointed, uses};
-use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
+use crate::model::fields::{self, Fields};
+use crate::model::mechanism::{GroupId, GroupName, GuideId, LinkId, PartOf, PointId, Step};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::{declared, jointed, uses};
+
+use super::Rules;
 
 /// The things a group statement has made, and those it was given.
-pub(super) struct Parts<'t> {
+pub(in crate::model) struct Parts<'t> {
     pub group: &'t tree::GroupStatement,
     pub anatomy: &'static GroupSpec,
     pub id: GroupId,
@@ -29,14 +30,14 @@ pub(super) struct Parts<'t> {
 
 /// The support of an outer joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum OuterJoint {
+pub(in crate::model) enum OuterJoint {
     Point(PointId),
     Guide(GuideId),
 }
 
 impl Parts<'_> {
     /// True if the group has a pin, or should have one.
-    pub(super) fn has_pin(&self) -> bool {
+    pub(in crate::model) fn has_pin(&self) -> bool {
         match self.anatomy.pin {
             Pin::Needed => true,
             Pin::Optional => self.group.pin.is_some(),
@@ -44,18 +45,18 @@ impl Parts<'_> {
         }
     }
 
-    pub(super) fn link(&self, i: usize) -> Option<LinkId> {
+    pub(in crate::model) fn link(&self, i: usize) -> Option<LinkId> {
         self.links.get(i).copied().flatten()
     }
 
-    pub(super) fn point(&self, i: usize) -> Option<PointId> {
+    pub(in crate::model) fn point(&self, i: usize) -> Option<PointId> {
         match self.outer.get(i).copied().flatten()? {
             OuterJoint::Point(id) => Some(id),
             OuterJoint::Guide(_) => None,
         }
     }
 
-    pub(super) fn guide(&self, i: usize) -> Option<GuideId> {
+    pub(in crate::model) fn guide(&self, i: usize) -> Option<GuideId> {
         match self.outer.get(i).copied().flatten()? {
             OuterJoint::Guide(id) => Some(id),
             OuterJoint::Point(_) => None,
@@ -63,7 +64,67 @@ impl Parts<'_> {
     }
 }
 
-pub(super) fn group(
+impl Rules for tree::GroupStatement {
+    fn declares(&self) -> Vec<(&Ident, Kind)> {
+        let links = self.legs.iter().map(|leg| (&leg.link, Kind::Link));
+        links.chain(self.pin.iter().map(|pin| (pin, Kind::Point))).collect()
+    }
+
+    fn title(&self, _name: &str) -> String {
+        format!("{} {}", self.keyword, tree::GroupStatement::title(self))
+    }
+
+    fn builds_on(&self) -> Vec<&Ident> {
+        self.legs.iter().filter_map(|leg| leg.joint.as_ref()).collect()
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        self.values().for_each(f);
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], moves: bool) {
+        group(scope, docs, self, moves);
+    }
+
+    fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
+        let made_by = self.group_of_stub(scope);
+        let Some(place) = self.legs.iter().position(|leg| leg.link == *name) else {
+            return Some(Entity::Point(declared::new_point(
+                scope,
+                docs,
+                name,
+                PartOf::Pin(made_by),
+            )));
+        };
+        // Where the group is not known, its links have every field.
+        let anatomy = GroupSpec::of(&self.keyword.to_string());
+        let slides = anatomy.is_none_or(|anatomy| anatomy.slides().get(place) == Some(&true));
+        Some(Entity::Link(declared::new_link(scope, docs, name, made_by, slides)))
+    }
+}
+
+impl tree::GroupStatement {
+    /// The group that a stub has of the statement: that of its names which have a place already.
+    fn group_of_stub(&self, scope: &mut Scope<'_>) -> GroupId {
+        let of_name = |(name, _): (&Ident, Kind)| match scope.names.made(name)? {
+            Entity::Link(id) => Some(scope.mechanism.links[id.index()].made_by),
+            Entity::Point(id) => match scope.mechanism.points[id.index()].part_of {
+                PartOf::Pin(group) => Some(group),
+                _ => None,
+            },
+            _ => None,
+        };
+        if let Some(known) = self.declares().into_iter().find_map(of_name) {
+            return known;
+        }
+        let id = declared::next_group(scope);
+        let (keyword, title) = (self.keyword.clone(), self.title());
+        scope.mechanism.groups.push(GroupName { keyword, title });
+        id
+    }
+}
+
+pub(in crate::model) fn group(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     group: &tree::GroupStatement,
@@ -80,9 +141,9 @@ pub(super) fn group(
         fields::fields(scope, group, anatomy);
         return;
     }
-    let id = next_group(scope);
+    let id = declared::next_group(scope);
     let links: Vec<_> = (group.legs.iter().zip(anatomy.slides()))
-        .map(|(leg, slides)| add_link(scope, docs, &leg.link, id, slides))
+        .map(|(leg, slides)| declared::add_link(scope, docs, &leg.link, id, slides))
         .collect();
     let pin = pin(scope, docs, group, anatomy, id);
     let (keyword, title) = (group.keyword.clone(), group.title());
@@ -118,75 +179,6 @@ fn names_stay_unknown(scope: &mut Scope<'_>, group: &tree::GroupStatement) {
     }
 }
 
-/// The id of the group that is about to be made.
-pub(super) fn next_group(scope: &Scope<'_>) -> GroupId {
-    GroupId(scope.mechanism.groups.len() as u32)
-}
-
-fn add_link(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    name: &Ident,
-    made_by: GroupId,
-    slides: bool,
-) -> Option<LinkId> {
-    uses::name_is_new(scope, name)?;
-    let id = new_link(scope, docs, name, made_by, slides);
-    scope.names.bind(name, Entity::Link(id));
-    Some(id)
-}
-
-pub(super) fn new_link(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    name: &Ident,
-    made_by: GroupId,
-    slides: bool,
-) -> LinkId {
-    let id = LinkId(scope.mechanism.links.len() as u32);
-    scope.mechanism.links.push(Link {
-        name: name.clone(),
-        docs: docs.to_vec(),
-        made_by,
-        slides,
-        stands_for: None,
-    });
-    scope.facts.links.push(LinkFacts {
-        moves: false,
-        is_bar: false,
-        length: None,
-        has_its_joints: true,
-        is_placed: true,
-    });
-    scope.facts.order.push(Entity::Link(id));
-    id
-}
-
-pub(super) fn add_point(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    name: &Ident,
-    part_of: PartOf,
-) -> Option<PointId> {
-    uses::name_is_new(scope, name)?;
-    let id = new_point(scope, docs, name, part_of);
-    scope.names.bind(name, Entity::Point(id));
-    Some(id)
-}
-
-pub(super) fn new_point(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    name: &Ident,
-    part_of: PartOf,
-) -> PointId {
-    let id = PointId(scope.mechanism.points.len() as u32);
-    scope.mechanism.points.push(Point { name: name.clone(), docs: docs.to_vec(), part_of });
-    scope.facts.points.push(false);
-    scope.facts.order.push(Entity::Point(id));
-    id
-}
-
 /// A group names a pin exactly where its inner joint is one.
 fn pin(
     scope: &mut Scope<'_>,
@@ -203,7 +195,7 @@ fn pin(
             uses::name_is_new(scope, pin);
             None
         }
-        (Some(pin), _) => add_point(scope, docs, pin, PartOf::Pin(id)),
+        (Some(pin), _) => declared::add_point(scope, docs, pin, PartOf::Pin(id)),
         (None, Pin::Needed) if group.head_is_read => {
             let message = format!("`{keyword}` makes a pin; name it with `-> C`");
             let reason = format!("it reads `{}`", anatomy.form);

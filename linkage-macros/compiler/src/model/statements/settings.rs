@@ -1,13 +1,36 @@
 //! Statements about the generated code: `numerics`, `crate`, `export`.
 
 use proc_macro2::Ident;
+use syn::Attribute;
 use syn::spanned::Spanned;
 
-use super::mechanism::Numerics;
-use super::scope::Scope;
+use crate::syntax::tree::{CrateStatement, ExportStatement, NumericsStatement};
+
+use crate::model::mechanism::Numerics;
+use crate::model::scope::Scope;
+
+use super::Rules;
+
+impl Rules for NumericsStatement {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        numerics(scope, &self.mode);
+    }
+}
+
+impl Rules for CrateStatement {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        crate_path(scope, &self.path);
+    }
+}
+
+impl Rules for ExportStatement {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+        export(scope, &self.language);
+    }
+}
 
 /// The numerics are compensated or plain, and chosen once.
-pub(super) fn numerics(scope: &mut Scope<'_>, mode: &Ident) {
+pub(in crate::model) fn numerics(scope: &mut Scope<'_>, mode: &Ident) {
     let chosen = match mode.to_string().as_str() {
         "compensated" => Numerics::Compensated,
         "fast" => {
@@ -30,7 +53,7 @@ pub(super) fn numerics(scope: &mut Scope<'_>, mode: &Ident) {
 }
 
 /// The path of `linkage-core` is given once.
-pub(super) fn crate_path(scope: &mut Scope<'_>, path: &syn::Path) {
+pub(in crate::model) fn crate_path(scope: &mut Scope<'_>, path: &syn::Path) {
     if scope.mechanism.crate_path.is_some() {
         scope.diagnostics.error(path.span(), "`crate` is given twice; remove one");
         return;
@@ -39,7 +62,7 @@ pub(super) fn crate_path(scope: &mut Scope<'_>, path: &syn::Path) {
 }
 
 /// The only language to export to is C.
-pub(super) fn export(scope: &mut Scope<'_>, language: &Ident) {
+pub(in crate::model) fn export(scope: &mut Scope<'_>, language: &Ident) {
     if language != "c" {
         let message = format!("no export named `{language}`; write `export c;`");
         scope.diagnostics.error(language.span(), message);

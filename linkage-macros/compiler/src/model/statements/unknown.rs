@@ -7,37 +7,56 @@ use syn::Attribute;
 
 use crate::exact::Exact;
 use crate::reach::turn::Range;
-use crate::syntax::tree::{self, Declaration};
+use crate::syntax::tree::{self, Declaration, Expr, UnknownStatement};
 
-use super::acting::Effort;
-use super::folding::shown_in_degrees;
-use super::inputs::{self, KINDS};
-use super::mechanism::{
-    AngleSum, Dimension, Drive, Equation, GroupName, Mode, ParamKind, Scalar, Sign, Unknown,
-    UnknownId,
+use crate::model::acting::Effort;
+use crate::model::folding::shown_in_degrees;
+use crate::model::kinds::{KINDS, quantity_kind};
+use crate::model::mechanism::{
+    AngleSum, Dimension, Drive, Equation, GroupName, InputId, Mode, ParamKind, Scalar, Sign,
+    Unknown, UnknownId,
 };
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::searched::Searched;
-use super::{driving_load, dyads, numbers, uses};
+use crate::model::names::{Entity, Kind, declared_by};
+use crate::model::scope::Scope;
+use crate::model::searched::Searched;
+use crate::model::{declared, numbers, uses};
 
-pub(super) fn unknown(
+use super::{Rules, drive_by};
+
+impl Rules for UnknownStatement {
+    fn declares(&self) -> Vec<(&Ident, Kind)> {
+        vec![(&self.name, Kind::Unknown)]
+    }
+
+    fn title(&self, name: &str) -> String {
+        format!("unknown {name}")
+    }
+
+    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
+        self.between.iter().flatten().for_each(f);
+    }
+
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+        unknown(scope, docs, &self.name, self.kind.as_ref(), self.between.as_ref());
+    }
+}
+
+pub(in crate::model) fn unknown(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     name: &Ident,
     kind: Option<&Ident>,
-    between: Option<&[tree::Expr; 2]>,
+    between: Option<&[Expr; 2]>,
 ) {
     let is_new = uses::name_is_new(scope, name).is_some() && one_is_searched_at_a_time(scope, name);
-    let dimension =
-        kind.and_then(|kind| inputs::quantity_kind(scope, kind, "kind of unknown", &KINDS));
+    let dimension = kind.and_then(|kind| quantity_kind(scope, kind, "kind of unknown", &KINDS));
     let ends = between.zip(dimension).and_then(|(ends, of)| self::ends(scope, name, ends, of));
     let (true, Some(dimension), Some(written), Some(between)) = (is_new, dimension, between, ends)
     else {
         return;
     };
     let id = UnknownId(scope.mechanism.unknowns.len() as u32);
-    let group = dyads::next_group(scope);
+    let group = declared::next_group(scope);
     scope
         .mechanism
         .groups
@@ -79,7 +98,7 @@ fn one_is_searched_at_a_time(scope: &mut Scope<'_>, name: &Ident) -> bool {
 fn ends(
     scope: &mut Scope<'_>,
     name: &Ident,
-    written: &[tree::Expr; 2],
+    written: &[Expr; 2],
     dimension: Dimension,
 ) -> Option<[Scalar; 2]> {
     let ends = written.each_ref().map(|end| {
@@ -122,7 +141,7 @@ fn declared(scope: &Scope<'_>, expr: &Scalar) -> Option<Exact> {
 }
 
 /// Ends are constants and parameters.
-fn end_depends_on_no_input(scope: &mut Scope<'_>, end: &tree::Expr, name: &Ident) -> Option<()> {
+fn end_depends_on_no_input(scope: &mut Scope<'_>, end: &Expr, name: &Ident) -> Option<()> {
     let Some(at) = numbers::moving_part(scope, end) else { return Some(()) };
     let message = format!("the ends of `{name}` depend on no input; write constants or parameters");
     let reason = "the machine has to be assembled from end to end, whatever the inputs are";
@@ -132,12 +151,12 @@ fn end_depends_on_no_input(scope: &mut Scope<'_>, end: &tree::Expr, name: &Ident
 
 /// Notes what the statement has made with the unknown that is searched, or with what follows
 /// it.
-pub(super) fn note_what_follows(scope: &mut Scope<'_>, statement: &tree::Statement) {
+pub(in crate::model) fn note_what_follows(scope: &mut Scope<'_>, statement: &tree::Statement) {
     let Some(searched) = scope.facts.searched() else { return };
     if !uses::uses(scope, statement, |_, entity| searched.reaches(entity)) {
         return;
     }
-    let declared = super::names::declared_by(statement);
+    let declared = declared_by(statement);
     let made = declared.iter().filter_map(|(name, _)| scope.names.made(name));
     if let Some(searched) = scope.facts.searches.last_mut() {
         searched.follows.extend(made);
@@ -145,7 +164,11 @@ pub(super) fn note_what_follows(scope: &mut Scope<'_>, statement: &tree::Stateme
 }
 
 /// True if the value changes with the unknown that is searched.
-pub(super) fn changes_with(scope: &Scope<'_>, searched: &Searched, expr: &Scalar) -> bool {
+pub(in crate::model) fn changes_with(
+    scope: &Scope<'_>,
+    searched: &Searched,
+    expr: &Scalar,
+) -> bool {
     let changes = |expr: &Scalar| changes_with(scope, searched, expr);
     let reaches = |entity| searched.reaches(entity);
     match expr {
@@ -174,7 +197,7 @@ pub(super) fn changes_with(scope: &Scope<'_>, searched: &Searched, expr: &Scalar
 }
 
 /// Every unknown is solved.
-pub(super) fn every_unknown_is_solved(scope: &mut Scope<'_>, tree: &Declaration) {
+pub(in crate::model) fn every_unknown_is_solved(scope: &mut Scope<'_>, tree: &Declaration) {
     let Some(Searched { name, .. }) = scope.facts.searched() else { return };
     if tree.unread.may_hold("solve") || tree.unread.may_hold(&name.to_string()) {
         return;
@@ -187,7 +210,7 @@ pub(super) fn every_unknown_is_solved(scope: &mut Scope<'_>, tree: &Declaration)
 }
 
 /// Where a dyad of constants stops the crank that an unknown turns, both ends lie on one side.
-pub(super) fn ends_can_be_assembled(scope: &mut Scope<'_>) {
+pub(in crate::model) fn ends_can_be_assembled(scope: &mut Scope<'_>) {
     for group in scope.mechanism.group_steps() {
         let Some(Drive::Angle { angle: AngleSum { links, rest: Scalar::Unknown(id) }, .. }) =
             &group.outer[0].drive
@@ -219,7 +242,11 @@ pub(super) fn ends_can_be_assembled(scope: &mut Scope<'_>) {
 }
 
 /// Beside an equation that a drive may hold, efforts are known that follow from power alone.
-pub(super) fn effort_is_known(scope: &mut Scope<'_>, at: &Ident, effort: Effort) -> Option<()> {
+pub(in crate::model) fn effort_is_known(
+    scope: &mut Scope<'_>,
+    at: &Ident,
+    effort: Effort,
+) -> Option<()> {
     if scope.mechanism.dynamics.is_of_power(effort) || scope.mechanism.equations_are_held() {
         return Some(());
     }
@@ -234,7 +261,7 @@ pub(super) fn effort_is_known(scope: &mut Scope<'_>, at: &Ident, effort: Effort)
 }
 
 /// `theta.drive`, in place of the only input's.
-pub(super) fn unknown_effort(
+pub(in crate::model) fn unknown_effort(
     scope: &mut Scope<'_>,
     owner: &Ident,
     member: &Ident,
@@ -252,7 +279,7 @@ pub(super) fn unknown_effort(
         scope.diagnostics.error_because(owner.span(), message, reason);
         return None;
     }
-    driving_load::has_a_drive(scope, owner, super::ids::InputId(0))?;
+    drive_by::has_a_drive(scope, owner, InputId(0))?;
     Some(Effort::Unknown(id))
 }
 

@@ -1,0 +1,79 @@
+//! Links and points as statements declare them, with the facts that are known of them so far.
+
+use proc_macro2::Ident;
+use syn::Attribute;
+
+use super::facts::LinkFacts;
+use super::mechanism::{GroupId, Link, LinkId, PartOf, Point, PointId};
+use super::names::Entity;
+use super::scope::Scope;
+use super::uses::name_is_new;
+
+/// The id of the group that is about to be made.
+pub(super) fn next_group(scope: &Scope<'_>) -> GroupId {
+    GroupId(scope.mechanism.groups.len() as u32)
+}
+
+pub(super) fn add_link(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    name: &Ident,
+    made_by: GroupId,
+    slides: bool,
+) -> Option<LinkId> {
+    name_is_new(scope, name)?;
+    let id = new_link(scope, docs, name, made_by, slides);
+    scope.names.bind(name, Entity::Link(id));
+    Some(id)
+}
+
+pub(super) fn new_link(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    name: &Ident,
+    made_by: GroupId,
+    slides: bool,
+) -> LinkId {
+    let id = LinkId(scope.mechanism.links.len() as u32);
+    scope.mechanism.links.push(Link {
+        name: name.clone(),
+        docs: docs.to_vec(),
+        made_by,
+        slides,
+        stands_for: None,
+    });
+    scope.facts.links.push(LinkFacts {
+        moves: false,
+        is_bar: false,
+        length: None,
+        has_its_joints: true,
+        is_placed: true,
+    });
+    scope.facts.order.push(Entity::Link(id));
+    id
+}
+
+pub(super) fn add_point(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    name: &Ident,
+    part_of: PartOf,
+) -> Option<PointId> {
+    name_is_new(scope, name)?;
+    let id = new_point(scope, docs, name, part_of);
+    scope.names.bind(name, Entity::Point(id));
+    Some(id)
+}
+
+pub(super) fn new_point(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    name: &Ident,
+    part_of: PartOf,
+) -> PointId {
+    let id = PointId(scope.mechanism.points.len() as u32);
+    scope.mechanism.points.push(Point { name: name.clone(), docs: docs.to_vec(), part_of });
+    scope.facts.points.push(false);
+    scope.facts.order.push(Entity::Point(id));
+    id
+}

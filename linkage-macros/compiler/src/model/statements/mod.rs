@@ -1,0 +1,113 @@
+//! One file a statement: what the model knows of a kind of statement stands in the file of its rules.
+//!
+//! [`Rules`] is what the rest of the model asks of a statement; [`rules`] finds them. What is asked of a whole
+//! declaration (the order of its statements, the names it uses, the stub after a mistake) asks each of its
+//! statements through these, and knows no kind by itself.
+
+pub(super) mod acts;
+pub(super) mod drawing;
+pub(super) mod drive_by;
+pub(super) mod force;
+pub(super) mod friction;
+pub(super) mod gravity;
+pub(super) mod ground;
+pub(super) mod group;
+pub(super) mod guide;
+pub(super) mod input;
+pub(super) mod load;
+pub(super) mod mass;
+pub(super) mod named;
+pub(super) mod output;
+pub(super) mod param;
+pub(super) mod point;
+pub(super) mod settings;
+pub(super) mod solve;
+pub(super) mod spring;
+pub(super) mod stop;
+pub(super) mod torque;
+pub(super) mod unknown;
+
+use proc_macro2::Ident;
+use syn::Attribute;
+
+use crate::syntax::tree::{Action, Expr, Statement, StatementKind};
+
+use super::names::{Entity, Kind};
+use super::scope::Scope;
+
+/// Everything that the model asks of a kind of statement.
+pub(super) trait Rules {
+    /// The names that the statement declares. The name of an output is not among them: it is a field of the
+    /// result alone.
+    fn declares(&self) -> Vec<(&Ident, Kind)> {
+        Vec::new()
+    }
+
+    /// The statement that declares `name`, as messages call it: `crank AB`. Empty where no message does.
+    fn title(&self, _name: &str) -> String {
+        String::new()
+    }
+
+    /// The points, links and guides that it builds on.
+    fn builds_on(&self) -> Vec<&Ident> {
+        Vec::new()
+    }
+
+    /// Calls `f` with every expression in it, from left to right.
+    fn each_expression(&self, _f: &mut dyn FnMut(&Expr)) {}
+
+    /// Makes what the statement declares, and reports every mistake in it. `moves` is true if anything that it
+    /// uses does.
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], moves: bool);
+
+    /// The stand-in for one of its names where the statement was not understood.
+    fn stand_in(
+        &self,
+        _scope: &mut Scope<'_>,
+        _docs: &[Attribute],
+        _name: &Ident,
+    ) -> Option<Entity> {
+        None
+    }
+
+    /// True if something has mass or acts by it.
+    fn acts(&self) -> bool {
+        false
+    }
+}
+
+/// The rules of a statement.
+pub(super) fn rules(statement: &Statement) -> &dyn Rules {
+    match &statement.kind {
+        StatementKind::Input(it) => it,
+        StatementKind::Param(it) => it,
+        StatementKind::Let(it) => it,
+        StatementKind::Unknown(it) => it,
+        StatementKind::Solve(it) => it,
+        StatementKind::Ground(it) => it,
+        StatementKind::Pin(it) => it,
+        StatementKind::Link(it) => it,
+        StatementKind::Drive(it) => it,
+        StatementKind::DriveBy(it) => it,
+        StatementKind::Guide(it) => it,
+        StatementKind::Point(it) => it,
+        StatementKind::Group(it) => it,
+        StatementKind::Load(it) => it,
+        StatementKind::Action(action) => match action {
+            Action::Gravity(it) => it,
+            Action::Mass(it) => it,
+            Action::Inertia(it) => it,
+            Action::Force(it) => it,
+            Action::ForceBetween(it) => it,
+            Action::Torque(it) => it,
+            Action::TorqueBetween(it) => it,
+            Action::Spring(it) => it,
+            Action::Friction(it) => it,
+            Action::Stop(it) => it,
+        },
+        StatementKind::Output(it) => it,
+        StatementKind::Numerics(it) => it,
+        StatementKind::Crate(it) => it,
+        StatementKind::Export(it) => it,
+    }
+}

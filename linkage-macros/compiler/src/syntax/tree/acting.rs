@@ -1,0 +1,119 @@
+//! Statements about forces as written: what has mass, and what acts.
+
+use proc_macro2::{Ident, Span};
+
+use super::{Expr, GroupStatement};
+
+/// `load cut: force;`; without a kind only after a mistake.
+#[derive(Clone)]
+pub(crate) struct LoadStatement {
+    pub names: Vec<Ident>,
+    pub kind: Option<Ident>,
+}
+
+/// `gravity (0, -g);` and where it stands.
+#[derive(Clone)]
+pub(crate) struct GravityStatement {
+    pub at: Span,
+    pub value: [Expr; 2],
+}
+
+/// `mass 2kg on BC at G inertia 0.1(kg*m^2);`
+#[derive(Clone)]
+pub(crate) struct MassStatement {
+    pub value: Expr,
+    pub on: Ident,
+    pub place: MassSite,
+    pub inertia: Option<Expr>,
+}
+
+/// `inertia J on AB;`
+#[derive(Clone)]
+pub(crate) struct InertiaStatement {
+    pub value: Expr,
+    pub on: Ident,
+}
+
+/// `force (0, -f) in BC on P;`
+#[derive(Clone)]
+pub(crate) struct ForceStatement {
+    pub value: [Expr; 2],
+    pub axes: Option<Ident>,
+    pub on: Ident,
+}
+
+/// `force f between P and Q;`
+#[derive(Clone)]
+pub(crate) struct ForceBetweenStatement {
+    pub value: Expr,
+    pub points: [Ident; 2],
+}
+
+/// `torque t on DC;`
+#[derive(Clone)]
+pub(crate) struct TorqueStatement {
+    pub value: Expr,
+    pub on: Ident,
+}
+
+/// `torque t between AB and DC;`
+#[derive(Clone)]
+pub(crate) struct TorqueBetweenStatement {
+    pub value: Expr,
+    pub bodies: [Ident; 2],
+}
+
+/// `spring shock between P and Q { stiffness: 15(N/m), free_length: 0.3m }`: two points, or two bodies.
+/// Its fields are read like those of a group.
+#[derive(Clone)]
+pub(crate) struct SpringStatement {
+    pub name: Option<Ident>,
+    pub ends: [Ident; 2],
+    pub fields: GroupStatement,
+}
+
+/// A stop, which may have a name; its fields are read like those of a group.
+#[derive(Clone)]
+pub(crate) struct StopStatement {
+    pub name: Option<Ident>,
+    pub of: Expr,
+    pub ends: [Expr; 2],
+    pub fields: GroupStatement,
+}
+
+/// Friction at a pin or a guide, and where its word stands.
+#[derive(Clone)]
+pub(crate) struct FrictionStatement {
+    pub at: Span,
+    pub coefficient: Expr,
+    pub site: FrictionSite,
+    pub radius: Option<Expr>,
+    pub length: Option<Expr>,
+    pub smooth: Option<Expr>,
+}
+
+/// The joint that has friction.
+#[derive(Clone)]
+pub(crate) enum FrictionSite {
+    /// `at C`
+    Pin(Ident),
+    /// `on BC at C`
+    LinkAtPin(Ident, Ident),
+    /// `on ram`
+    Slider(Ident),
+    /// `between BC and EF at C`
+    Between([Ident; 2], Ident),
+}
+
+/// Where a mass is.
+#[derive(Clone)]
+pub(crate) enum MassSite {
+    /// Nothing is said: the mass is on a point.
+    Here,
+    /// `at (x, y)` in the link's frame.
+    At([Expr; 2]),
+    /// `at G`
+    Point(Ident),
+    /// `uniform`, and where the word stands.
+    Uniform(Span),
+}

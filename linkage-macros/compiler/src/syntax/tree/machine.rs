@@ -1,0 +1,243 @@
+//! Statements about the machine itself as written: its numbers, its links and joints, and what is asked of it.
+
+use proc_macro2::{Ident, Span};
+
+use super::Expr;
+
+/// `input s, x: length;`; without a kind only after a mistake.
+#[derive(Clone)]
+pub(crate) struct InputStatement {
+    pub names: Vec<Ident>,
+    pub kind: Option<Ident>,
+}
+
+/// `param l = 632mm;` or `param elbow: mode = left;`.
+#[derive(Clone)]
+pub(crate) struct ParamStatement {
+    pub name: Ident,
+    /// The word after the colon.
+    pub kind: Option<Ident>,
+    pub default: Expr,
+}
+
+/// `let half = l / 2;`
+#[derive(Clone)]
+pub(crate) struct LetStatement {
+    pub name: Ident,
+    pub value: Expr,
+}
+
+/// `unknown theta: angle between (10deg, 170deg);`; without a kind or ends only after a mistake.
+#[derive(Clone)]
+pub(crate) struct UnknownStatement {
+    pub name: Ident,
+    pub kind: Option<Ident>,
+    pub between: Option<[Expr; 2]>,
+}
+
+/// `ground A(0, 0), D(…);`
+#[derive(Clone)]
+pub(crate) struct GroundStatement {
+    pub points: Vec<(Ident, [Expr; 2])>,
+}
+
+/// `pin B(80mm, 0), C(600mm, 360mm);`
+#[derive(Clone)]
+pub(crate) struct PinStatement {
+    pub points: Vec<(Ident, [Expr; 2])>,
+}
+
+/// `link AB(A, B), block(Q) on slot;` or `link lift(F, G) { length: s }`
+#[derive(Clone)]
+pub(crate) struct LinkStatement {
+    pub links: Vec<DrawnLink>,
+    pub fields: Option<GroupStatement>,
+}
+
+/// `drive theta by pull;`: the load that puts in the effort of an input.
+#[derive(Clone)]
+pub(crate) struct DriveByStatement {
+    pub input: Ident,
+    pub load: Ident,
+}
+
+/// `guide slot on BC through P towards C;`
+#[derive(Clone)]
+pub(crate) struct GuideStatement {
+    pub name: Ident,
+    pub on: Option<Ident>,
+    pub through: GuideAnchor,
+    pub course: Course,
+}
+
+/// `point P on BC at …;`
+#[derive(Clone)]
+pub(crate) struct PointStatement {
+    pub name: Ident,
+    pub on: Option<Ident>,
+    pub place: PointPlace,
+}
+
+/// `output blade, DC.angle, fold = BC.angle - DC.angle;`
+#[derive(Clone)]
+pub(crate) struct OutputStatement {
+    pub items: Vec<OutputItem>,
+}
+
+/// `numerics compensated;`
+#[derive(Clone)]
+pub(crate) struct NumericsStatement {
+    pub mode: Ident,
+}
+
+/// `crate = ::path;`: where `linkage-core` is found.
+#[derive(Clone)]
+pub(crate) struct CrateStatement {
+    pub path: syn::Path,
+}
+
+/// `export c;`
+#[derive(Clone)]
+pub(crate) struct ExportStatement {
+    pub language: Ident,
+}
+
+/// `rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }`.
+#[derive(Clone)]
+pub(crate) struct GroupStatement {
+    /// `crank`, `slider`, `rrr`, …; not yet known to be one of them.
+    pub keyword: Ident,
+    pub legs: Vec<Leg>,
+    pub pin: Option<Ident>,
+    pub fields: Vec<GroupField>,
+    /// The closing brace, where a missing field is reported.
+    pub end: Span,
+    /// True if all of its legs and its pin were read. After a mistake none of them is reported
+    /// missing.
+    pub head_is_read: bool,
+    /// The same for the names of its fields.
+    pub fields_are_read: bool,
+}
+
+/// `BC(B, C, blade) on slot`: a body through pins, rigid as it is drawn.
+#[derive(Clone)]
+pub(crate) struct DrawnLink {
+    pub name: Ident,
+    pub pins: Vec<Ident>,
+    /// The guides on which it slides without turning.
+    pub on: Vec<Ident>,
+}
+
+/// `drive BC.angle - AB.angle = theta;`.
+#[derive(Clone)]
+pub(crate) struct DriveStatement {
+    pub link: Ident,
+    /// `angle` or `slide`; not yet known to be one of them.
+    pub member: Ident,
+    /// The link that the first one is driven against and its member; the ground where there is none.
+    pub to: Option<(Ident, Ident)>,
+    pub value: Expr,
+}
+
+/// `solve theta { ram.slide = x, mode: falling, near: seed }`.
+#[derive(Clone)]
+pub(crate) struct Solve {
+    pub unknown: Ident,
+    /// The two sides; `None` only after a mistake.
+    pub equation: Option<[Expr; 2]>,
+    pub mode: Option<Ident>,
+    pub near: Option<Expr>,
+    /// The closing brace, where a missing mode is reported.
+    pub end: Span,
+    /// True if all of it was read. After a mistake nothing is reported missing.
+    pub is_read: bool,
+}
+
+impl GroupStatement {
+    /// A statement with fields, but without links or a pin.
+    pub(in crate::syntax) fn without_links(keyword: Ident, end: Span) -> Self {
+        Self {
+            keyword,
+            legs: Vec::new(),
+            pin: None,
+            fields: Vec::new(),
+            end,
+            head_is_read: true,
+            fields_are_read: true,
+        }
+    }
+
+    /// The values of its fields.
+    pub(crate) fn values(&self) -> impl Iterator<Item = &Expr> {
+        self.fields.iter().flat_map(|field| match &field.value {
+            GroupFieldValue::One(value) => std::slice::from_ref(value),
+            GroupFieldValue::Pair(values) => values,
+        })
+    }
+
+    /// The links, as messages and run-time errors name the group.
+    pub(crate) fn title(&self) -> String {
+        self.legs.iter().map(|leg| leg.link.to_string()).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// `BC(B)`: a link and what its outer joint stands on.
+#[derive(Clone)]
+pub(crate) struct Leg {
+    pub link: Ident,
+    /// `None` only after a mistake.
+    pub joint: Option<Ident>,
+}
+
+/// `lengths: (632mm, 374mm)`.
+#[derive(Clone)]
+pub(crate) struct GroupField {
+    pub name: Ident,
+    pub value: GroupFieldValue,
+}
+
+#[derive(Clone)]
+pub(crate) enum GroupFieldValue {
+    /// A mode is an expression that is a bare name.
+    One(Expr),
+    Pair([Expr; 2]),
+}
+
+/// The place a guide goes through.
+#[derive(Clone)]
+pub(crate) enum GuideAnchor {
+    At([Expr; 2]),
+    Point(Ident),
+    /// Could not be read, and was reported.
+    Mistake,
+}
+
+/// Where a guide goes.
+#[derive(Clone)]
+pub(crate) enum Course {
+    Along(Expr),
+    Towards(Ident),
+    /// Could not be read, and was reported.
+    Mistake,
+}
+
+#[derive(Clone)]
+pub(crate) enum PointPlace {
+    /// `at (x, y)`
+    Cartesian([Expr; 2]),
+    /// `at polar (r, 20deg)`
+    Polar([Expr; 2]),
+    /// `at distances (r1, r2) left`
+    Distances([Expr; 2], Ident),
+    /// Could not be read, and was reported.
+    Mistake,
+}
+
+#[derive(Clone)]
+pub(crate) struct OutputItem {
+    /// `fold =`, where the item is a named expression.
+    pub name: Option<Ident>,
+    /// Where `as` stands, if the name is written behind it: `C as tip`.
+    pub renamed_at: Option<Span>,
+    pub value: Expr,
+}
