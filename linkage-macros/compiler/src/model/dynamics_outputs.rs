@@ -15,7 +15,7 @@ use super::statements::spring;
 use super::statements::spring::parts;
 use super::statements::{drive_by, stop, unknown};
 use super::{effort_formulas, uses};
-use crate::syntax::action::ACTING;
+use crate::syntax::openings::OPENINGS;
 
 /// Outputs of the whole mechanism.
 const WHOLE: [&str; 4] = ["energy", "shaking", "centre_of_mass", "losses"];
@@ -273,7 +273,8 @@ pub(super) fn ask(
 
 /// True if a mistake may have hidden a statement that acts.
 pub(super) fn a_force_may_be_unread(scope: &Scope<'_>) -> bool {
-    ACTING.iter().any(|word| scope.unread.may_hold(word)) || scope.diagnostics.count() > 0
+    OPENINGS.iter().any(|of| of.acts && scope.unread.may_hold(of.word))
+        || scope.diagnostics.count() > 0
 }
 
 /// Every drive and reaction, where anything has mass or acts.

@@ -12,8 +12,8 @@ use super::declared;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
-use crate::syntax::action::ACTING;
 use crate::syntax::anatomy::{GroupSpec, Pin};
+use crate::syntax::openings::OPENINGS;
 use crate::syntax::tree::{
     self, Declaration, LinkStatement, OutputStatement, Statement, StatementKind,
 };
@@ -136,7 +136,7 @@ fn every_name_is_given(scope: &mut Scope<'_>, tree: &Declaration, with_ground: b
 
 /// Every effort and reaction, where something may have mass or act.
 fn every_force_of_stub(scope: &mut Scope<'_>, tree: &Declaration) {
-    let is_unread = ACTING.iter().any(|word| tree.unread.may_hold(word));
+    let is_unread = OPENINGS.iter().any(|of| of.acts && tree.unread.may_hold(of.word));
     if !is_unread && !tree.statements.iter().any(|statement| rules(statement).acts()) {
         return;
     }

@@ -11,9 +11,6 @@ use super::tree::{
     SpringStatement, StatementKind, StopStatement, TorqueBetweenStatement, TorqueStatement,
 };
 
-/// Words that say that something has mass or acts.
-pub(crate) const ACTING: [&str; 6] = ["mass", "inertia", "force", "torque", "spring", "stop"];
-
 const MASS_FORMS: &str = "a mass is `mass 2kg on BC at G`, `… on BC at (x, y)`, \
                           `… on BC uniform` or, on a pin or point, `mass 2kg on C`";
 const FORCE_FORMS: &str = "a force is `force (fx, fy) on P` or `force f between P and Q`";
@@ -29,25 +26,7 @@ const STOP_FORM: &str = "a stop is `stop DC.angle between (20deg, 110deg) { stif
 const TORQUE_FORMS: &str = "a torque is `torque t on BC` or `torque t between BC and DC`";
 
 impl Parser<'_> {
-    /// The statement whose first word is `keyword`, which was taken; `None` where the word begins
-    /// none of these.
-    pub(super) fn action(&mut self, keyword: &Ident) -> Option<Parse<StatementKind>> {
-        let parsed = match keyword.to_string().as_str() {
-            "load" => return Some(self.load()),
-            "gravity" => self.gravity(keyword.span()),
-            "mass" => self.mass(),
-            "inertia" => self.inertia(),
-            "force" => self.force(),
-            "torque" => self.torque(),
-            "spring" => self.spring(keyword),
-            "friction" => self.friction(keyword.span()),
-            "stop" => self.stop(keyword),
-            _ => return None,
-        };
-        Some(parsed.map(StatementKind::Action))
-    }
-
-    fn load(&mut self) -> Parse<StatementKind> {
+    pub(super) fn load(&mut self) -> Parse<StatementKind> {
         let mut names = vec![self.new_name("a load")?];
         while self.take_punct(',') {
             if self.peek_ident(0).is_none() {
@@ -71,17 +50,20 @@ impl Parser<'_> {
         Ok(StatementKind::Load(LoadStatement { names, kind }))
     }
 
-    fn gravity(&mut self, at: Span) -> Parse<Action> {
+    pub(super) fn gravity(&mut self, at: Span) -> Parse<StatementKind> {
         if !self.is_group(0, Delimiter::Parenthesis) {
             return self.expected_because(
                 "`(gx, gy)`",
                 "gravity is an acceleration in ground axes: `gravity (0, -9.81);`",
             );
         }
-        Ok(Action::Gravity(GravityStatement { at, value: self.pair("`(gx, gy)`")? }))
+        Ok(StatementKind::Action(Action::Gravity(GravityStatement {
+            at,
+            value: self.pair("`(gx, gy)`")?,
+        })))
     }
 
-    fn mass(&mut self) -> Parse<Action> {
+    pub(super) fn mass(&mut self) -> Parse<StatementKind> {
         let value = self.expression()?;
         if !self.take_word("on") {
             return self.expected_because("`on`", MASS_FORMS);
@@ -106,18 +88,21 @@ impl Parser<'_> {
             true => Some(self.expression()?),
             false => None,
         };
-        Ok(Action::Mass(MassStatement { value, on, place, inertia }))
+        Ok(StatementKind::Action(Action::Mass(MassStatement { value, on, place, inertia })))
     }
 
-    fn inertia(&mut self) -> Parse<Action> {
+    pub(super) fn inertia(&mut self) -> Parse<StatementKind> {
         let value = self.expression()?;
         if !self.take_word("on") {
             return self.expected_because("`on`", "an inertia is `inertia 0.1(kg*m^2) on AB`");
         }
-        Ok(Action::Inertia(InertiaStatement { value, on: self.name_of("a link")? }))
+        Ok(StatementKind::Action(Action::Inertia(InertiaStatement {
+            value,
+            on: self.name_of("a link")?,
+        })))
     }
 
-    fn force(&mut self) -> Parse<Action> {
+    pub(super) fn force(&mut self) -> Parse<StatementKind> {
         if self.is_a_vector() {
             let value = self.pair("`(fx, fy)`")?;
             let axes = match self.take_word("in") {
@@ -138,7 +123,7 @@ impl Parser<'_> {
                 return self
                     .refuse_because(&message, "a force acts on a point, by its name: `… on P`");
             }
-            return Ok(Action::Force(ForceStatement { value, axes, on }));
+            return Ok(StatementKind::Action(Action::Force(ForceStatement { value, axes, on })));
         }
         let value = self.expression()?;
         if let (true, Some(axes)) = (self.is_word(0, "in"), self.peek_ident(1)) {
@@ -153,7 +138,7 @@ impl Parser<'_> {
             );
         }
         let points = self.ends("a point", FORCE_FORMS)?;
-        Ok(Action::ForceBetween(ForceBetweenStatement { value, points }))
+        Ok(StatementKind::Action(Action::ForceBetween(ForceBetweenStatement { value, points })))
     }
 
     /// True if the parentheses that stand next hold two components.
@@ -166,16 +151,19 @@ impl Parser<'_> {
                 || self.is_word(1, "in"))
     }
 
-    fn torque(&mut self) -> Parse<Action> {
+    pub(super) fn torque(&mut self) -> Parse<StatementKind> {
         let value = self.expression()?;
         if self.take_word("on") {
-            return Ok(Action::Torque(TorqueStatement { value, on: self.name_of("a link")? }));
+            return Ok(StatementKind::Action(Action::Torque(TorqueStatement {
+                value,
+                on: self.name_of("a link")?,
+            })));
         }
         let bodies = self.ends("a link or `ground`", TORQUE_FORMS)?;
-        Ok(Action::TorqueBetween(TorqueBetweenStatement { value, bodies }))
+        Ok(StatementKind::Action(Action::TorqueBetween(TorqueBetweenStatement { value, bodies })))
     }
 
-    fn spring(&mut self, keyword: &Ident) -> Parse<Action> {
+    pub(super) fn spring(&mut self, keyword: &Ident) -> Parse<StatementKind> {
         let name = match (self.is_word(0, "between"), self.peek_ident(0).is_some()) {
             (true, _) => None,
             (false, true) => Some(self.new_name("a spring")?),
@@ -187,10 +175,10 @@ impl Parser<'_> {
         let ends = self.ends("a point or a link", SPRING_FORM)?;
         let mut fields = GroupStatement::without_links(keyword.clone(), self.end());
         self.fields_in_braces(&mut fields);
-        Ok(Action::Spring(SpringStatement { name, ends, fields }))
+        Ok(StatementKind::Action(Action::Spring(SpringStatement { name, ends, fields })))
     }
 
-    fn stop(&mut self, keyword: &Ident) -> Parse<Action> {
+    pub(super) fn stop(&mut self, keyword: &Ident) -> Parse<StatementKind> {
         // A name stands in front of another one, or of a number.
         let begins = matches!(self.peek(1), Some(TokenTree::Ident(_) | TokenTree::Literal(_)));
         let is_named = self.peek_ident(0).is_some() && begins && !self.is_word(1, "between");
@@ -205,10 +193,10 @@ impl Parser<'_> {
         let ends = self.pair("`(from, to)`")?;
         let mut fields = GroupStatement::without_links(keyword.clone(), self.end());
         self.fields_in_braces(&mut fields);
-        Ok(Action::Stop(StopStatement { name, of, ends, fields }))
+        Ok(StatementKind::Action(Action::Stop(StopStatement { name, of, ends, fields })))
     }
 
-    fn friction(&mut self, at: Span) -> Parse<Action> {
+    pub(super) fn friction(&mut self, at: Span) -> Parse<StatementKind> {
         let coefficient = self.expression()?;
         let site = match () {
             () if self.take_word("at") => FrictionSite::Pin(self.name_of("a pin")?),
@@ -235,7 +223,7 @@ impl Parser<'_> {
                 () if self.is_word(0, "radius") => &mut friction.radius,
                 () if self.is_word(0, "length") => &mut friction.length,
                 () if self.is_word(0, "smooth") => &mut friction.smooth,
-                () => return Ok(Action::Friction(friction)),
+                () => return Ok(StatementKind::Action(Action::Friction(friction))),
             };
             let word = self.here();
             self.take();

@@ -5,6 +5,7 @@ use quote::ToTokens;
 use syn::parse::Parser as _;
 use syn::{Attribute, Visibility};
 
+use super::openings::opening;
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Declaration, Statement, StatementKind, Unread};
 use super::words;
@@ -170,7 +171,7 @@ impl Parser<'_> {
             return found;
         };
         let word = keyword.to_string();
-        if words::is_reserved(&word) && !words::STATEMENTS.contains(&word.as_str()) {
+        if words::is_reserved(&word) && opening(&word).is_none() {
             let message = format!("`{word}` is reserved for a later statement");
             let _ = match words::built_by(&word) {
                 Some(instead) => self.refuse_because::<()>(&message, instead),
@@ -182,9 +183,6 @@ impl Parser<'_> {
         self.take();
         if let Some(parsed) = self.plain_statement(&keyword) {
             return parsed;
-        }
-        if word == "solve" {
-            return self.solve().map(StatementKind::Solve);
         }
         if self.is_group_keyword(&word) {
             return Ok(StatementKind::Group(self.group(keyword)));

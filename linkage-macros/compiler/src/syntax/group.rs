@@ -5,6 +5,7 @@
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
 use super::anatomy::GroupSpec;
+use super::openings::{Ends, opening};
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, GroupField, GroupFieldValue, GroupStatement, Leg};
 use super::words;
@@ -134,9 +135,10 @@ impl Parser<'_> {
     fn missing_braces(&mut self, keyword: &Ident) {
         let fields = match GroupSpec::of(&keyword.to_string()) {
             Some(anatomy) => anatomy.braces(),
-            None if keyword == "spring" => "{ stiffness: …, free_length: … }".to_string(),
-            None if keyword == "stop" => "{ stiffness: …, damping: … }".to_string(),
-            None => "{ … }".to_string(),
+            None => match opening(&keyword.to_string()).map(|opening| &opening.ends) {
+                Some(Ends::Braces(fields)) => fields.to_string(),
+                _ => "{ … }".to_string(),
+            },
         };
         let message = match self.is_group(0, Delimiter::Parenthesis)
             || self.is_group(0, Delimiter::Bracket)

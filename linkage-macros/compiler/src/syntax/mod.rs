@@ -39,7 +39,7 @@
 //! Which words are kinds, units and functions is not known here; what a group's statement is made of
 //! stands in `anatomy`.
 
-pub(crate) mod action;
+mod action;
 mod aftermath;
 pub(crate) mod anatomy;
 mod declaration;
@@ -47,6 +47,7 @@ pub(crate) mod expression;
 mod group;
 mod links;
 mod number;
+pub(crate) mod openings;
 mod recovery;
 mod slips;
 mod solve;

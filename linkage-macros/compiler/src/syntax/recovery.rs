@@ -1,7 +1,8 @@
 //! Going on after a mistake: where a statement in error ends, and which tokens are given up.
 
-use proc_macro2::{Delimiter, Ident, TokenTree};
+use proc_macro2::{Delimiter, Ident};
 
+use super::openings::{is_called, opening};
 use super::tokens::Parser;
 use super::words;
 
@@ -57,33 +58,9 @@ impl Parser<'_> {
             return self.is_group(1, Delimiter::Bracket);
         }
         let Some(word) = self.peek_ident(0).map(Ident::to_string) else { return false };
-        let named = self.peek_ident(1).is_some();
-        let paren = self.is_group(2, Delimiter::Parenthesis);
-        match word.as_str() {
-            "crate" => self.is_punct(1, '='),
-            "input" | "param" => {
-                named && [':', ',', '='].iter().any(|&sign| self.is_punct(2, sign))
-            }
-            "let" | "output" | "numerics" | "export" | "spring" | "stop" => named,
-            "unknown" => named && self.is_punct(2, ':'),
-            "solve" => named && self.is_group(2, Delimiter::Brace),
-            "gravity" => self.is_group(1, Delimiter::Parenthesis),
-            "load" => named && [':', ','].iter().any(|&sign| self.is_punct(2, sign)),
-            // `inertia` also stands inside a mass, and a load is of a kind `force`.
-            "mass" | "force" | "torque" => match self.peek(1) {
-                Some(TokenTree::Punct(_)) | None => false,
-                Some(_) => true,
-            },
-            // A load may have this name, as in `torque friction on AB`.
-            "friction" => match self.peek(1) {
-                Some(TokenTree::Punct(_)) | None => false,
-                Some(_) => !["on", "at", "between"].iter().any(|word| self.is_word(1, word)),
-            },
-            "pin" | "link" => named && paren,
-            "drive" => named && (self.is_punct(2, '.') || self.is_word(2, "by")),
-            "guide" | "point" => named && self.peek_ident(2).is_some(),
-            "ground" => named && paren,
-            group => words::GROUPS.contains(&group) && named && paren,
+        match opening(&word) {
+            Some(opening) => (opening.begins)(self),
+            None => words::GROUPS.contains(&word.as_str()) && is_called(self),
         }
     }
 }

@@ -4,6 +4,7 @@
 use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 
 use super::anatomy::GroupSpec;
+use super::openings;
 use super::tokens::{Parse, Parser};
 use super::words;
 use crate::diagnostics::nearest;
@@ -32,7 +33,7 @@ impl Parser<'_> {
         if let Some(instead) = words::built_by(word) {
             return instead.to_string();
         }
-        let known = words::STATEMENTS.iter().chain(&words::GROUPS).copied();
+        let known = openings::words().chain(words::GROUPS);
         if let Some(near) = nearest(word, known) {
             return format!("a statement with a similar name exists: `{near}`");
         }
@@ -47,7 +48,7 @@ impl Parser<'_> {
         }
         format!(
             "statements are {} and the groups {}; others are about drawings, unknowns and forces",
-            quoted(&words::STATEMENTS[..7]),
+            quoted(&openings::words().take(7).collect::<Vec<_>>()),
             quoted(&words::GROUPS)
         )
     }

@@ -45,7 +45,7 @@ impl Parser<'_> {
     }
 
     /// `solve theta { … }`, behind its first word.
-    pub(super) fn solve(&mut self) -> Parse<Solve> {
+    pub(super) fn solve(&mut self) -> Parse<StatementKind> {
         let unknown = self.name_of("an unknown")?;
         let Some(braces) = self.take_group(Delimiter::Brace) else {
             return self.expected_because("`{`", SOLVE);
@@ -68,7 +68,7 @@ impl Parser<'_> {
             }
         }
         self.take_punct(';');
-        Ok(solve)
+        Ok(StatementKind::Solve(solve))
     }
 
     /// The equation or a field.

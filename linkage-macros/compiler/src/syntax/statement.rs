@@ -6,6 +6,7 @@
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
+use super::openings::{Ends, opening};
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{
     Course, CrateStatement, ExportStatement, Expr, GroundStatement, GuideAnchor, GuideStatement,
@@ -19,34 +20,20 @@ impl Parser<'_> {
     /// The statement whose first word is `keyword`, which was taken; `None` where the word
     /// begins none of these.
     pub(super) fn plain_statement(&mut self, keyword: &Ident) -> Option<Parse<StatementKind>> {
-        let parsed = match keyword.to_string().as_str() {
-            "input" => self.input(),
-            "param" => self.param(),
-            "let" => self.named_value(),
-            "unknown" => self.unknown(),
-            "ground" => self.ground(),
-            "guide" => self.guide(),
-            "point" => self.point(),
-            "output" => self.output(),
-            "numerics" => self.numerics(),
-            "crate" => self.crate_path(),
-            "export" => self.export(),
-            "pin" => self.pins(),
-            "link" => self.links(keyword),
-            "drive" => self.drive(),
-            _ => self.action(keyword)?,
+        let opening = opening(&keyword.to_string())?;
+        let parsed = (opening.parse)(self, keyword);
+        let has_braces = match opening.ends {
+            Ends::Semicolon => false,
+            Ends::Braces(_) => true,
+            Ends::Either => self.ended_with_braces(),
         };
-        // A spring and a stop end with their braces, and so may a link.
-        let has_braces = keyword == "spring"
-            || keyword == "stop"
-            || keyword == "link" && self.ended_with_braces();
         if parsed.is_ok() && !has_braces {
             self.semicolon();
         }
         Some(parsed)
     }
 
-    fn input(&mut self) -> Parse<StatementKind> {
+    pub(super) fn input(&mut self) -> Parse<StatementKind> {
         let mut names = vec![self.new_name("an input")?];
         while self.take_punct(',') || (!self.is_punct(1, ';') && self.missing_comma()) {
             if self.peek_ident(0).is_none() {
@@ -85,7 +72,7 @@ impl Parser<'_> {
         }
     }
 
-    fn param(&mut self) -> Parse<StatementKind> {
+    pub(super) fn param(&mut self) -> Parse<StatementKind> {
         self.leave_out_mut();
         let name = self.new_name("a parameter")?;
         let kind = match self.take_punct(':') {
@@ -119,7 +106,7 @@ impl Parser<'_> {
         self.expression()
     }
 
-    fn named_value(&mut self) -> Parse<StatementKind> {
+    pub(super) fn named_value(&mut self) -> Parse<StatementKind> {
         self.leave_out_mut();
         let name = self.new_name("a value")?;
         let value = match () {
@@ -166,7 +153,7 @@ impl Parser<'_> {
         Ok(StatementKind::Ground(GroundStatement { points }))
     }
 
-    fn guide(&mut self) -> Parse<StatementKind> {
+    pub(super) fn guide(&mut self) -> Parse<StatementKind> {
         let name = self.new_name("a guide")?;
         let mut on = None;
         let line = self.line(&mut on);
@@ -198,7 +185,7 @@ impl Parser<'_> {
         Ok((through, course))
     }
 
-    fn point(&mut self) -> Parse<StatementKind> {
+    pub(super) fn point(&mut self) -> Parse<StatementKind> {
         let name = self.new_name("a point")?;
         let mut on = None;
         let place = self.place(&name, &mut on);
@@ -244,7 +231,7 @@ impl Parser<'_> {
         }
     }
 
-    fn output(&mut self) -> Parse<StatementKind> {
+    pub(super) fn output(&mut self) -> Parse<StatementKind> {
         let mut items = Vec::new();
         while !self.is_punct(0, ';') && !self.at_end() {
             let first = self.next;
@@ -324,7 +311,7 @@ impl Parser<'_> {
         self.give_up_since(first);
     }
 
-    fn numerics(&mut self) -> Parse<StatementKind> {
+    pub(super) fn numerics(&mut self) -> Parse<StatementKind> {
         let mode = self.word("`compensated`")?;
         let is_another = self.peek_ident(0).is_some() && !self.statement_begins();
         if is_another || self.is_punct(0, ',') {
@@ -334,11 +321,11 @@ impl Parser<'_> {
         Ok(StatementKind::Numerics(NumericsStatement { mode }))
     }
 
-    fn export(&mut self) -> Parse<StatementKind> {
+    pub(super) fn export(&mut self) -> Parse<StatementKind> {
         Ok(StatementKind::Export(ExportStatement { language: self.word("`c`")? }))
     }
 
-    fn crate_path(&mut self) -> Parse<StatementKind> {
+    pub(super) fn crate_path(&mut self) -> Parse<StatementKind> {
         const FORM: &str = "write the path of `linkage-core`: `crate = ::linkage_core;`";
         if !self.take_punct('=') {
             return self.refuse(FORM);

@@ -1,12 +1,5 @@
 //! The words of the language: which begin a statement, and which cannot be chosen as names.
 
-/// Words that begin a statement without braces.
-pub(super) const STATEMENTS: [&str; 24] = [
-    "input", "param", "let", "ground", "guide", "point", "output", "numerics", "crate", "export",
-    "gravity", "load", "mass", "inertia", "force", "torque", "spring", "friction", "stop",
-    "unknown", "solve", "pin", "link", "drive",
-];
-
 /// Words that begin a statement with braces: drivers, then Assur groups.
 pub(super) use super::anatomy::KEYWORDS as GROUPS;
 
