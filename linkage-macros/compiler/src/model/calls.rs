@@ -6,13 +6,11 @@ use crate::diagnostics::nearest;
 use crate::function::Function;
 use crate::syntax::tree;
 
-use super::expressions::{
-    Allowed, DISTANCE, OFFSET, RATE, ResolvedExpr, bare_name, counted, expression,
-};
-use super::facts::Reads;
+use super::expressions::{DISTANCE, OFFSET, RATE, ResolvedExpr, bare_name, counted, expression};
 use super::folding::shown;
 use super::mechanism::Scalar;
 use super::names::Kind;
+use super::reads::{Allowed, Reads};
 use super::scope::Scope;
 use super::{exponents, numbers, readings};
 
@@ -46,7 +44,7 @@ pub(super) fn call(
         numbers::no_link_angle(scope, argument, value)?;
     }
     let measure = numbers::measure_of_call(scope, function, arguments, &values)?;
-    let mut reads = values.iter().fold(Reads::default(), |all, value| all.and(value.reads.clone()));
+    let mut reads = values.iter().fold(Reads::default(), |all, value| all.and(&value.reads));
     let rests = exponents::arguments_above_zero(function, arguments, values);
     let constants: Vec<_> = rests.iter().filter_map(|rest| rest.constant()).map(shown).collect();
     let called = Scalar::call(function, rests);
@@ -56,7 +54,7 @@ pub(super) fn call(
     }
     let called = called?;
     if !function.is_smooth() && !called.is_constant() {
-        reads.corner = Some(function.name());
+        reads = reads.with_a_corner(function.name());
     }
     if !function.is_smooth() && !called.is_constant() && !allowed.corners {
         let message = format!("`{name}` stands in forces, torques and outputs alone");

@@ -9,11 +9,11 @@ use crate::syntax::tree;
 use super::acting::{Contact, Effort, Ends, Formula, RequestedEffort};
 use super::dimension::Measure;
 use super::expressions::ResolvedExpr;
-use super::facts::Reads;
 use super::ids::FormulaId;
 use super::link_efforts;
 use super::mechanism::{Carrier, Dimension, LinkId, Scalar};
 use super::names::{Kind, listed};
+use super::reads::Reads;
 use super::scope::Scope;
 use super::statements::{spring, unknown};
 use super::{dynamics_outputs, numbers, uses};
@@ -55,7 +55,7 @@ pub(super) fn give_formula(
     let dynamics = &mut scope.mechanism.dynamics;
     let effort = Effort::Formula(FormulaId(dynamics.formulas.len() as u32));
     let dimension = quantity.measure.dimension();
-    let reads = quantity.reads.efforts;
+    let reads = quantity.reads.efforts.clone();
     dynamics.formulas.push(Formula { value: quantity.rest, dimension, reads });
     let (owner, field) = (name.clone(), name.clone());
     dynamics.asked.push(RequestedEffort { owner, field, docs: docs.to_vec(), effort });
@@ -240,7 +240,7 @@ fn friction_named(
 /// A component of an effort, which an output reads.
 fn reading(scope: &mut Scope<'_>, at: &Ident, effort: Effort, part: usize) -> Option<ResolvedExpr> {
     unknown::effort_is_known(scope, at, effort)?;
-    let reads = Reads { efforts: vec![effort], ..Reads::default() };
+    let reads = Reads::an_effort(effort);
     let measure = Measure::Known(dimension_of(scope, effort, part));
     Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, Scalar::Effort(effort, part)) })
 }

@@ -7,9 +7,9 @@ use crate::exact::Exact;
 use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::dimension::Measure;
-use super::facts::Reads;
 use super::mechanism::{AngleSum, Dimension, LinkId, Operator, ParamKind, Scalar};
 use super::names::{Entity, Kind, NUMBERS};
+use super::reads::{Allowed, Reads};
 use super::scope::Scope;
 use super::statements::{drive_by, named, spring};
 use super::{calls, effort_formulas, literals, readings, uses};
@@ -20,25 +20,6 @@ pub(super) struct ResolvedExpr {
     pub links: Vec<(LinkId, i32)>,
     pub rest: Scalar,
     pub reads: Reads,
-}
-
-/// Readings that may stand where an expression does.
-#[derive(Clone, Copy)]
-pub(super) struct Allowed {
-    /// Loads, rates, and laws of them.
-    pub forces: bool,
-    /// Functions with a corner.
-    pub corners: bool,
-    /// Efforts and reactions.
-    pub efforts: bool,
-}
-
-impl Allowed {
-    /// In what a machine is made of, and how it moves.
-    pub(super) const IN_DIMENSIONS: Self = Self { forces: false, corners: false, efforts: false };
-    /// In forces and torques, and in what is named: that is refused where it is used.
-    pub(super) const IN_FORCES: Self = Self { forces: true, corners: true, efforts: false };
-    pub(super) const IN_OUTPUTS: Self = Self { efforts: true, ..Self::IN_FORCES };
 }
 
 /// Why a link's angle stands only in sums, times an integer.
@@ -182,7 +163,7 @@ fn operation(
     right: (&tree::Expr, ResolvedExpr),
 ) -> Option<ResolvedExpr> {
     let span = left.0.to(right.0.span);
-    let reads = left.1.reads.clone().and(right.1.reads.clone());
+    let reads = left.1.reads.clone().and(&right.1.reads);
     let quantity = match operator {
         BinaryOp::Add => sum(scope, Operator::Add, left, right),
         BinaryOp::Sub => sum(scope, Operator::Sub, left, right),

@@ -7,11 +7,11 @@ use crate::exact::Exact;
 use crate::reach::line::BodyLine;
 use crate::syntax::tree::Declaration;
 
-use super::acting::Effort;
 use super::dimension::Measure;
 use super::literals::longest_in_small_units;
 use super::mechanism::{Carrier, GuideId, PointId, Scalar};
 use super::names::Entity;
+use super::reads::Reads;
 use super::searched::Searched;
 use super::statements::drive_by;
 
@@ -55,17 +55,6 @@ pub(super) struct ParamFacts {
     pub span: Extent,
     /// True if it was reported already.
     pub blamed: bool,
-}
-
-/// Readings of an expression that no dimension may have.
-#[derive(Clone, Default)]
-pub(super) struct Reads {
-    pub load: bool,
-    pub rate: bool,
-    /// Efforts and reactions.
-    pub efforts: Vec<Effort>,
-    /// A function with a corner.
-    pub corner: Option<&'static str>,
 }
 
 pub(super) struct LetFacts {
@@ -115,21 +104,6 @@ struct Location {
     belongs: bool,
     /// The place in the carrier's frame, if it is constant.
     at: Option<[Exact; 2]>,
-}
-
-impl Reads {
-    /// True if the value is one of forces, and not of a pose.
-    pub(super) fn is_of_forces(&self) -> bool {
-        self.load || self.rate || !self.efforts.is_empty()
-    }
-
-    pub(super) fn and(mut self, other: Self) -> Self {
-        self.load |= other.load;
-        self.rate |= other.rate;
-        self.efforts.extend(other.efforts);
-        self.corner = self.corner.or(other.corner);
-        self
-    }
 }
 
 impl Facts {

@@ -42,6 +42,7 @@ mod needs;
 mod numbers;
 mod order;
 mod readings;
+mod reads;
 mod references;
 mod relations;
 mod rotatability;

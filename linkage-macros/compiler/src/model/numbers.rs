@@ -7,10 +7,11 @@ use crate::function::{Function, Measures};
 use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
 use super::dimension::Measure;
-use super::expressions::{self, ANGLE_REASON, Allowed, ResolvedExpr};
+use super::expressions::{self, ANGLE_REASON, ResolvedExpr};
 use super::folding::shown;
 use super::mechanism::{AngleSum, Dimension, ParamKind, Scalar};
 use super::names::{Entity, Kind};
+use super::reads::Allowed;
 use super::scope::Scope;
 use super::{exponents, literals};
 

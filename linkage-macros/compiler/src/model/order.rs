@@ -8,10 +8,9 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{Declaration, StatementKind};
 
 use super::class_three;
-use super::expressions::Allowed;
-use super::facts::Reads;
 use super::names::{Entity, declared_by, listed, title};
 use super::needs::Needs;
+use super::reads::{Allowed, Reads};
 use super::scope::Scope;
 use super::statements::named;
 

@@ -6,10 +6,10 @@ use crate::syntax::expression::FRICTION;
 use crate::syntax::tree;
 
 use super::dimension::Measure;
-use super::expressions::{Allowed, ResolvedExpr, bare_name, counted};
-use super::facts::Reads;
+use super::expressions::{ResolvedExpr, bare_name, counted};
 use super::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar, Step};
 use super::names::Kind;
+use super::reads::{Allowed, Reads};
 use super::scope::Scope;
 use super::{dynamics_outputs, effort_formulas, uses};
 

@@ -5,8 +5,8 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{self, Action, Declaration, ExprKind, OutputStatement, StatementKind};
 
 use crate::model::acting::Dynamics;
-use crate::model::expressions::Allowed;
 use crate::model::mechanism::{Body, Carrier, Dimension, PointId, Scalar};
+use crate::model::reads::Allowed;
 use crate::model::references::{expressions, names_in};
 use crate::model::scope::Scope;
 use crate::model::{numbers, uses};

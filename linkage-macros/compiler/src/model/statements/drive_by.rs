@@ -8,13 +8,15 @@ use crate::syntax::tree::{self, Declaration, DriveByStatement, ExprKind, Stateme
 
 use crate::model::acting::{Dynamics, Effort, Load};
 use crate::model::dimension::Measure;
-use crate::model::expressions::{Allowed, ResolvedExpr};
-use crate::model::facts::{Degree, Reads};
+use crate::model::expressions::ResolvedExpr;
+use crate::model::facts::Degree;
 use crate::model::ids::{InputId, LinkId};
 use crate::model::mechanism::{
     Drive, Group, GuideDirection, Mechanism, Operator, Placement, Scalar, Slideway, Step, Through,
 };
 use crate::model::names::{Entity, Kind};
+use crate::model::reads::Allowed;
+use crate::model::reads::Reads;
 use crate::model::scope::Scope;
 use crate::model::{dynamics_outputs, numbers, uses};
 
@@ -169,7 +171,7 @@ pub(in crate::model) fn value_of_load(
         Entity::Pull => (dynamics.pull.as_ref()?, Scalar::Pull),
         _ => return None,
     };
-    let reads = Reads { load: true, ..Reads::default() };
+    let reads = Reads::a_load();
     let measure = Measure::Known(load.dimension);
     Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, value) })
 }

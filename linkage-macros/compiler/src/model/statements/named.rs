@@ -6,10 +6,12 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Expr, ExprKind, LetStatement};
 
-use crate::model::expressions::{self, Allowed, ResolvedExpr};
-use crate::model::facts::{LetFacts, Reads};
+use crate::model::expressions::{self, ResolvedExpr};
+use crate::model::facts::LetFacts;
 use crate::model::mechanism::{LawId, LetId, Scalar};
 use crate::model::names::{Entity, Kind};
+use crate::model::reads::Allowed;
+use crate::model::reads::Reads;
 use crate::model::scope::Scope;
 use crate::model::uses;
 

@@ -10,9 +10,10 @@ use crate::syntax::tree::{
     Declaration, Expr, ExprKind, OutputItem, OutputStatement, StatementKind,
 };
 
-use crate::model::expressions::{self, Allowed, ResolvedExpr, bare_name};
+use crate::model::expressions::{self, ResolvedExpr, bare_name};
 use crate::model::mechanism::{DeclaredOutput, LinkId, OutputKind, Scalar as Resolved};
 use crate::model::names::{Entity, Kind};
+use crate::model::reads::Allowed;
 use crate::model::scope::Scope;
 use crate::model::{dynamics_outputs, effort_formulas, readings, uses};
 

@@ -8,10 +8,11 @@ use crate::syntax::anatomy::{FieldRule, GroupSpec, Pin, optional};
 use crate::syntax::tree::{Expr, ExprKind, GroupStatement, SpringStatement};
 
 use crate::model::acting::{Effort, Ends, Magnitude, Spring};
-use crate::model::expressions::{self, Allowed, RATE, ResolvedExpr, counted};
+use crate::model::expressions::{self, RATE, ResolvedExpr, counted};
 use crate::model::fields::{self, Fields};
 use crate::model::mechanism::{self, Carrier, Dimension, OutputKind, PointId, SpringId};
 use crate::model::names::{Entity, Kind};
+use crate::model::reads::Allowed;
 use crate::model::scope::Scope;
 use crate::model::{dynamics_outputs, numbers, uses};
 
@@ -255,7 +256,7 @@ pub(in crate::model) fn rate(
         return None;
     }
     let mut argument = argument?;
-    argument.reads.rate = true;
+    argument.reads = argument.reads.of_a_rate();
     Some(argument)
 }
 

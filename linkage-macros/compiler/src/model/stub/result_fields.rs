@@ -7,7 +7,6 @@ use proc_macro2::Ident;
 use super::{NUMBER, number};
 use crate::model::acting::{Effort, Formula};
 use crate::model::expressions::bare_name;
-use crate::model::facts::Reads;
 use crate::model::ids::FormulaId;
 use crate::model::mechanism::{AngleSum, DeclaredOutput, OutputKind, Scalar};
 use crate::model::names::Kind;
@@ -77,7 +76,7 @@ fn reads_forces(scope: &Scope<'_>, value: &tree::Expr) -> bool {
         _ => is_rate(part),
     };
     numbers::first(scope, value, &|scope, part| {
-        reads(scope, part) || named::is_law(scope, part, Reads::is_of_forces)
+        reads(scope, part) || named::is_law(scope, part, |reads| reads.is_of_forces())
     })
     .is_some()
 }
