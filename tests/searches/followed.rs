@@ -34,7 +34,7 @@ fn limits_of_a_ram_are_its_stroke() {
     assert!(limits(&InLine::new(), [0.18, 0.32]).expect("an interval").is_whole());
     assert!(limits(&InLine::new(), [0.34, 0.4]).expect("an interval").is_empty());
     let mut random = Random::new(5);
-    for _ in 0..cases(40, 200) {
+    for _ in 0..cases(20, 200) {
         let [r, e] = [random.anywhere(0.02, 0.1), random.anywhere(-0.06, 0.06)];
         let l = r + e.abs() + random.anywhere(0.05, 0.3);
         let [(_, far), (_, near)] = ends_of_stroke([r, l, e]);
@@ -99,7 +99,7 @@ fn limits_by_a_rocker_agree_with_stepping() {
 /// point as they are many, farther in `.ci/nightly`.
 #[test]
 fn twins_go_through_their_dead_point() {
-    let many = cases(20, 160) as u32;
+    let many = cases(10, 160) as u32;
     let small = (0.0175 / 2.0 * f64::from(many), 0.0175, many);
     for (start, step, count) in
         [small, (1.6, 0.1, 32), (1.61, 0.07, 46), (1.5, 0.97, 3), (1.2, 2.3, 1)]

@@ -22,7 +22,7 @@ fn parallel(q: f64) -> Side {
 fn worst<T: Float>() -> [f64; 3] {
     let mut random = Random::new(7);
     let mut worst = [0.0_f64; 3];
-    let count = cases(28, 300);
+    let count = cases(14, 300);
     for nth in 0..count {
         // From anywhere clear of the change points at 0 and π to anywhere, as close to them as numbers are: one
         // in each part of the distances, so that few are spread as many are.
@@ -60,7 +60,7 @@ fn worst<T: Float>() -> [f64; 3] {
 /// At the edge of what is interpolated, w = √(2 near), the rounding of a second rate is some 16 ε/w³ v²,
 /// and what sixteen (`f32`: the same) nodes make of theirs is up to eight times as much, for those at the
 /// edge have weights up to that. Energies have no third power, but one less; drives are second rates by a
-/// mass of 8/3. Of 300 motions in each width, which `.ci/nightly` follows whole, an ordinary run has a tenth.
+/// mass of 8/3. Of 300 motions in each width, which `.ci/nightly` follows whole, an ordinary run has a twentieth.
 #[test]
 fn second_rates_over_change_points_are_the_pendulums() {
     for (name, found, epsilon, near) in [
