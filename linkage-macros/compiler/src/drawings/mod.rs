@@ -5,6 +5,7 @@
 //! and beside them every body keeps the distances of its pins and the side on which each lies.
 
 mod chains_of_eight;
+mod declared_by_hand;
 mod declared_points;
 mod eight_bars;
 mod files;

@@ -16,7 +16,14 @@ impl References {
         let mut references = Self::default();
         for statement in &tree.statements {
             for (name, _) in declared_by(statement) {
-                references.made.push((name.clone(), title(statement, &name.to_string())));
+                // A pin that a group makes and a drawing places is made once.
+                match references.made.iter().any(|(made, _)| made == name) {
+                    true => references.used.push(name.clone()),
+                    false => {
+                        let title = title(statement, &name.to_string());
+                        references.made.push((name.clone(), title));
+                    }
+                }
             }
         }
         let known: HashSet<_> = references.made.iter().map(|(name, _)| name.to_string()).collect();
