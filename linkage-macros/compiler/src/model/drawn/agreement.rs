@@ -5,14 +5,17 @@
 
 use std::f64::consts::TAU;
 
-use crate::chain::machine::Driven;
+use proc_macro2::Ident;
+
+use crate::chain::machine::{Driven, GROUND};
 use crate::chain::plane::Complex;
 use crate::diagnostics::Extent;
-use crate::syntax::tree::Expr;
+use crate::syntax::tree::{Expr, PointPlace, PointStatement, StatementKind};
 
 use super::bodies::Bodies;
 use super::lengths::in_words;
 use super::messages::drive_as_written;
+use super::motions::{slid_by, turned_by};
 use super::values::Measured;
 
 /// The angle, the part of the machine's size and that of a length by which a drive may differ from the drawing: about
@@ -21,13 +24,23 @@ const CARELESS: f64 = 0.05;
 /// The turns by which the angle of a link that is geared up may differ from what is drawn.
 const TURNS: i32 = 4;
 
-/// A drive or a driven length, and its value in the drawing.
+/// The thing that a number gives and that the drawing has as well.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Given {
+    Drive(usize),
+    Length,
+    /// A coordinate of a point that inputs move.
+    Place,
+    /// The angle of a crank or the slide of a slider that is declared by hand.
+    Driver,
+}
+
+/// A drive, a driven length, or what a declaration by hand drives, and its value in the drawing.
 pub(super) struct DrawnEquation<'t> {
     pub value: &'t Expr,
     drawn: f64,
-    /// The drive; none of a length.
-    drive: Option<usize>,
-    /// The body that has the length.
+    given: Given,
+    /// The body that is driven.
     body: usize,
     pub is_angle: bool,
 }
@@ -39,11 +52,14 @@ impl DrawnEquation<'_> {
         if self.is_angle { off - TAU * (off / TAU).round() } else { off }
     }
 
-    /// The drive or the length in words.
+    /// The thing that is given, in words.
     fn told(&self, bodies: &Bodies<'_>) -> String {
-        match self.drive {
-            Some(drive) => format!("`drive {}`", drive_as_written(bodies.drives[drive].1)),
-            None => format!("the length of {}", bodies.name(self.body)),
+        let of = bodies.name(self.body);
+        match self.given {
+            Given::Drive(drive) => format!("`drive {}`", drive_as_written(bodies.drives[drive].1)),
+            Given::Length => format!("the length of {of}"),
+            Given::Place => format!("the place of {of}"),
+            Given::Driver => format!("what drives {of}"),
         }
     }
 
@@ -62,7 +78,7 @@ fn equations<'t>(bodies: &Bodies<'t>) -> Option<Vec<DrawnEquation<'t>>> {
         equations.push(DrawnEquation {
             value: &drive.value,
             drawn: bodies.drawn_value(index)?,
-            drive: Some(index),
+            given: Given::Drive(index),
             body: driving.bodies[0],
             is_angle: driving.kind == Driven::Angle,
         });
@@ -75,13 +91,54 @@ fn equations<'t>(bodies: &Bodies<'t>) -> Option<Vec<DrawnEquation<'t>>> {
             equations.push(DrawnEquation {
                 value: length,
                 drawn,
-                drive: None,
+                given: Given::Length,
                 body,
                 is_angle: false,
             });
         }
+        equations.extend(by_hand(bodies, index + 1));
     }
     Some(equations)
+}
+
+/// The numbers that drive a body that is declared by hand, where the drawing says where it is: a point, a crank against
+/// the ground, a slider on a guide of the ground.
+fn by_hand<'t>(bodies: &Bodies<'t>, body: usize) -> Vec<DrawnEquation<'t>> {
+    let link = bodies.link(body);
+    let equation =
+        |value, drawn, given, is_angle| DrawnEquation { value, drawn, given, body, is_angle };
+    let place = |name: &Ident| {
+        let pin = bodies.pins.iter().position(|pin| pin.name == *name && pin.on.is_none());
+        pin.map(|pin| bodies.machine.pins[pin])
+    };
+    match &bodies.tree.statements[link.statement].kind {
+        StatementKind::Point(PointStatement {
+            name,
+            on: None,
+            place: PointPlace::Cartesian(at),
+        }) => {
+            let Some(drawn) = place(name) else { return Vec::new() };
+            let coordinates = at.iter().zip([drawn.x, drawn.y]);
+            coordinates.map(|(value, drawn)| equation(value, drawn, Given::Place, false)).collect()
+        }
+        StatementKind::Group(group) if link.is_given => {
+            let end = group.pin.as_ref().and_then(place);
+            let joint = group.legs.first().and_then(|leg| leg.joint.as_ref());
+            let (Some(end), Some(joint)) = (end, joint) else { return Vec::new() };
+            let of_crank = turned_by(group)
+                .zip(place(joint))
+                .map(|(angle, pivot)| equation(angle, (end - pivot).angle(), Given::Driver, true));
+            let guide =
+                bodies.guides.iter().find(|guide| guide.name == joint && guide.on == GROUND);
+            let of_slider = slid_by(group).zip(guide).map(|(slide, guide)| {
+                let [through, along] = [&guide.line.through, &guide.line.along]
+                    .map(|[x, y]| Complex::new(x.value, y.value));
+                equation(slide, along.unit().dot(end - through), Given::Driver, false)
+            });
+            of_crank.into_iter().chain(of_slider).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 impl Measured<'_> {
@@ -183,10 +240,10 @@ impl Measured<'_> {
         equations.iter().enumerate().rev().find_map(|(index, equation)| {
             let value = bodies.as_drawn(equation.value, &self.pen, &[]);
             let value = self.at_inputs(&value, inputs)?;
-            let unit = match equation.drive {
+            let unit = match equation.given {
                 _ if equation.is_angle => 1.0,
-                Some(_) => bodies.machine.size(),
-                None => equation.drawn,
+                Given::Length => equation.drawn,
+                _ => bodies.machine.size(),
             };
             (equation.off(value).abs() > CARELESS * unit).then_some((index, value))
         })

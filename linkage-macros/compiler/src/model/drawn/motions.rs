@@ -11,15 +11,22 @@ use super::bodies::{Bodies, LinkOutline};
 use super::values::Measured;
 
 /// The angle of a crank that is declared by hand and turns against the ground.
-fn turned_by(group: &GroupStatement) -> Option<&Expr> {
-    let field = |name: &str| {
-        let found = group.fields.iter().find(|field| field.name == name)?;
-        match &found.value {
-            GroupFieldValue::One(value) => Some(value),
-            GroupFieldValue::Pair(_) => None,
-        }
-    };
-    field("angle").filter(|_| group.keyword == "crank" && field("relative_to").is_none())
+pub(super) fn turned_by(group: &GroupStatement) -> Option<&Expr> {
+    let is_of_the_ground = group.keyword == "crank" && field(group, "relative_to").is_none();
+    field(group, "angle").filter(|_| is_of_the_ground)
+}
+
+/// The slide of a slider that is declared by hand.
+pub(super) fn slid_by(group: &GroupStatement) -> Option<&Expr> {
+    field(group, "slide").filter(|_| group.keyword == "slider")
+}
+
+fn field<'t>(group: &'t GroupStatement, name: &str) -> Option<&'t Expr> {
+    let found = group.fields.iter().find(|field| field.name == name)?;
+    match &found.value {
+        GroupFieldValue::One(value) => Some(value),
+        GroupFieldValue::Pair(_) => None,
+    }
 }
 
 impl Measured<'_> {
