@@ -51,6 +51,10 @@ impl Machine {
         documentation(&self.mechanism)
     }
 
+    pub(super) fn program(&self) -> &Program {
+        &self.program
+    }
+
     /// The pins by name, at these inputs. The machine has no parameters.
     pub(super) fn pins<N: Number>(&self, inputs: &[f64]) -> Vec<(String, [N; 2])> {
         let float = |value: f64| N::exact(&Exact::float(value).expect("finite"));

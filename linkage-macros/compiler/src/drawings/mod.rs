@@ -4,6 +4,7 @@
 //! and by the bodies alone, in a hundred digits: at the drawn inputs every pin is where it is drawn,
 //! and beside them every body keeps the distances of its pins and the side on which each lies.
 
+mod answers;
 mod chains_of_eight;
 mod declared_by_hand;
 mod declared_points;
@@ -13,6 +14,7 @@ mod following;
 pub(crate) mod lorry;
 mod machine;
 mod poses;
+mod scales;
 mod several_inputs;
 mod textbook;
 mod variants;

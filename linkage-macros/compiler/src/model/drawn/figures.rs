@@ -105,8 +105,31 @@ impl Pen {
         exact: Option<Exact>,
         text: impl FnOnce() -> Expr,
     ) -> Figure {
+        if let Some(long) = exact.as_ref().filter(|exact| exact.is_too_long()) {
+            return self.rounded(long, (value, power));
+        }
         let decimal = exact.as_ref().and_then(|exact| self.decimal(exact, power));
         Figure { text: decimal.unwrap_or_else(text), value, exact, power }
+    }
+
+    /// A number that has more digits than one that is written may have, to about 32 of them: the sum of two floats.
+    fn rounded(&self, long: &Exact, (value, power): (f64, i32)) -> Figure {
+        let units = match (&self.unit, power) {
+            (None, _) | (_, 0) => Vec::new(),
+            _ => vec![("m".to_string(), power)],
+        };
+        let part = |value: f64| {
+            let digits = format!("{:?}", value.abs());
+            let exact = Exact::decimal(&digits).unwrap_or_else(|| Exact::integer(0));
+            let text = self.expr(ExprKind::Number { digits, units: units.clone() });
+            match value < 0.0 {
+                true => (exact.neg(), self.expr(ExprKind::Negate(Box::new(text)))),
+                false => (exact, text),
+            }
+        };
+        let (first, text) = part(long.to_f64());
+        let (second, rest) = part(long.sub(&first).to_f64());
+        Figure { text: sum(text, rest), value, exact: Some(first.add(&second)), power }
     }
 
     /// The number written as a decimal, where it is one.
@@ -192,6 +215,9 @@ impl Pen {
     /// The angle of a vector, in degrees where that is a decimal.
     pub(super) fn angle(&self, [x, y]: &[Figure; 2]) -> Figure {
         let exact = folded(y, x, Exact::atan2).flatten();
+        if let Some(long) = exact.as_ref().filter(|exact| exact.is_too_long()) {
+            return self.rounded(long, (y.value.atan2(x.value), 0));
+        }
         let degree = unit("deg").map(|(_, factor)| factor);
         let degrees = exact.as_ref().zip(degree).and_then(|(angle, degree)| angle.div(&degree));
         let decimal = degrees.and_then(|value| self.literal(&value, vec![("deg".into(), 1)]));

@@ -1,0 +1,53 @@
+//! The numbers of a machine's results, by their names.
+
+use crate::exact::Exact;
+use crate::interface::Interface;
+use crate::interface::entries::EntryPoint;
+use crate::interface::labels;
+use crate::ir::interpret::{Number, ProgramValues, interpret};
+
+use super::machine::Machine;
+
+/// Numbers by name.
+pub(super) struct Answers(Vec<(String, f64)>);
+
+impl Answers {
+    pub(super) fn named(&self, name: &str) -> f64 {
+        let found = self.0.iter().find(|(known, _)| known == name);
+        found.unwrap_or_else(|| panic!("no `{name}` in {:?}", self.0)).1
+    }
+}
+
+impl Machine {
+    /// The result of an entry point, at these inputs with their rates, in numbers of a kind.
+    pub(super) fn answers_in<N: Number>(
+        &self,
+        entry: &str,
+        inputs: &[[f64; 3]],
+        value: impl Fn(&N) -> f64,
+    ) -> Answers {
+        let float = |value: f64| N::exact(&Exact::float(value).expect("finite"));
+        let given = ProgramValues {
+            inputs: inputs.iter().map(|input| input.map(float)).collect(),
+            params: Vec::new(),
+            loads: Vec::new(),
+            drives: vec![float(0.0); inputs.len()],
+            unit: None,
+        };
+        let values = interpret(self.program(), &given);
+        let interface = Interface::of(&self.mechanism);
+        let point = EntryPoint::named(entry);
+        let declared = interface.entries.iter().find(|known| known.point == point);
+        let declared = declared.unwrap_or_else(|| panic!("no `{entry}`"));
+        let names = labels::of_result(&interface, &self.mechanism, declared);
+        let sinks = &self.program().answer(entry).expect("it is offered").sinks;
+        assert_eq!(names.len(), sinks.len());
+        let number = |sink: &crate::ir::graph::Id| value(&values[sink.index()]);
+        Answers(names.into_iter().zip(sinks.iter().map(number)).collect())
+    }
+
+    /// The same in double precision.
+    pub(super) fn answers(&self, entry: &str, inputs: &[[f64; 3]]) -> Answers {
+        self.answers_in::<f64>(entry, inputs, |value| *value)
+    }
+}
