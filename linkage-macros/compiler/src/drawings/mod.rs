@@ -13,6 +13,7 @@ mod files;
 mod following;
 pub(crate) mod lorry;
 mod machine;
+mod named_expressions;
 mod poses;
 mod scales;
 mod several_inputs;

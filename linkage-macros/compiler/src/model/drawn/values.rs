@@ -9,7 +9,7 @@ use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
 use crate::model::expr::{Axis, Scalar as Resolved};
 use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
-use crate::model::names::{Entity, declared_by};
+use crate::model::names::{Entity, Names, declared_by};
 use crate::model::references::{expressions, names_used};
 use crate::model::{Scope, units};
 use crate::syntax::tree::{
@@ -67,6 +67,36 @@ fn numbers_of(tree: &Declaration) -> Declaration {
     }
 }
 
+/// The mistakes that are not reported.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Forgetting {
+    /// Those of named expressions that read pins: a pin that stands still has no rate, and a number of its place may be
+    /// out of a function's range. They are resolved once more where pins move.
+    OfPins,
+    Nothing,
+}
+
+fn numbers_of_a_drawing(scope: &mut Scope<'_>, numbers: &Declaration, forgetting: Forgetting) {
+    if forgetting == Forgetting::Nothing {
+        let pins = std::mem::take(&mut scope.names.pins);
+        scope.names = Names { pins, ..Names::collect(numbers) };
+    }
+    let mut reading = scope.names.pins.clone();
+    for (index, statement) in numbers.statements.iter().enumerate() {
+        scope.names.go_to(index);
+        let before = scope.diagnostics.count();
+        crate::model::statement(scope, statement);
+        let StatementKind::Let(LetStatement { name, .. }) = &statement.kind else { continue };
+        if names_used(statement).iter().any(|used| reading.contains(&used.to_string())) {
+            reading.insert(name.to_string());
+            if forgetting == Forgetting::OfPins {
+                scope.diagnostics.forget_since(before);
+            }
+        }
+    }
+    scope.names.go_to(numbers.statements.len());
+}
+
 fn pins_of(tree: &Declaration) -> impl Iterator<Item = &Ident> {
     let points = tree.statements.iter().flat_map(|statement| match &statement.kind {
         StatementKind::Pin(PinStatement { points }) => &points[..],
@@ -103,7 +133,7 @@ impl<'d> Measured<'d> {
         let mut scope = Scope::new(&numbers, &tree.unread, diagnostics);
         scope.names.pins = pins_of(tree).map(ToString::to_string).collect();
         scope.facts.longest_in_small_units = super::super::literals::longest_in_small_units(tree);
-        crate::model::statements(&mut scope, &numbers);
+        numbers_of_a_drawing(&mut scope, &numbers, Forgetting::OfPins);
         order::statements_are_in_order(&mut scope, &numbers);
         if scope.diagnostics.count() != before {
             return None;
@@ -115,7 +145,11 @@ impl<'d> Measured<'d> {
                 continue;
             };
             for (name, written) in points {
-                let place = values.place(name, written)?;
+                let Some(place) = values.place(name, written) else {
+                    // The reason is among the mistakes that were not reported.
+                    numbers_of_a_drawing(&mut values.scope, &numbers, Forgetting::Nothing);
+                    return None;
+                };
                 values.places.insert(name.to_string(), place);
             }
         }
