@@ -84,7 +84,8 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
                             couple in N·m"
                 .to_string()
         }
-        Effort::PinFriction(id, _) | Effort::GuideFriction(id) => friction(&link(id), asked.effort),
+        Effort::PinFriction(id, _) => friction(&link(id), asked.effort),
+        Effort::GuideFriction(by) => friction(&link(cx.mechanism.sliding(by)), asked.effort),
         Effort::Losses => "power in W that friction takes at all joints".to_string(),
         Effort::Formula(_) => {
             format!(
@@ -92,10 +93,10 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
                 unit_of(cx.mechanism, asked.effort)
             )
         }
-        Effort::Guide(id) => format!(
+        Effort::Guide(by) => format!(
             "normal force in N on `{0}` at the origin of its frame, along the normal of `{1}`, and \
              couple in N·m on `{0}`, both exerted by `{1}`",
-            link(id),
+            link(cx.mechanism.sliding(by)),
             text(&asked.field)
         ),
     }
@@ -186,19 +187,26 @@ fn effort_unit(dimension: Dimension) -> String {
 
 /// The drive of a crank or a slider: its couple or force, and the body that it reacts against.
 fn driven(cx: &Context<'_>, id: LinkId) -> String {
-    let name = text(&cx.mechanism.links[id.index()].name);
-    let group = cx.mechanism.group_with(id);
+    let mechanism = cx.mechanism;
+    let of = |id: LinkId| text(&mechanism.links[id.index()].name);
+    let driven = mechanism.driven_as_drawn(id);
+    let (name, group) = (of(driven), mechanism.group_with(id));
+    // Where a group has the drive the other way round, its link is what the drawn one is driven against.
+    let against = |reference: LinkId| of(if driven == id { reference } else { id });
     let found = group.and_then(|group| match group.outer[0].drive.as_ref()? {
         Drive::Angle { relative_to: Carrier::Ground, .. } => {
             Some(format!("couple in N·m on `{name}`, exerted by its drive against the ground"))
         }
-        Drive::Angle { relative_to: Carrier::Link(against), .. } => Some(format!(
+        Drive::Angle { relative_to: Carrier::Link(reference), .. } => Some(format!(
             "couple in N·m on `{name}`, exerted by its drive against `{}`",
-            text(&cx.mechanism.links[against.index()].name)
+            against(*reference)
         )),
         Drive::Slide(_) => Some(format!(
             "force in N on `{name}` along `{}`, exerted by its drive against what carries that",
-            text(&cx.mechanism.guides[group.slides_on(0).index()].name)
+            text(match mechanism.slide_as_drawn(id) {
+                Some(slide) => &slide.guide,
+                None => &mechanism.guides[group.slides_on(0).index()].name,
+            })
         )),
     });
     found.unwrap_or_else(|| format!("effort of the drive of `{name}`"))

@@ -8,13 +8,28 @@ use crate::ir::interpret::{Number, ProgramValues, interpret};
 
 use super::machine::Machine;
 
-/// Numbers by name.
+/// Numbers by name; of a direction first the cosine, then the sine.
 pub(super) struct Answers(Vec<(String, f64)>);
 
 impl Answers {
     pub(super) fn named(&self, name: &str) -> f64 {
         let found = self.0.iter().find(|(known, _)| known == name);
         found.unwrap_or_else(|| panic!("no `{name}` in {:?}", self.0)).1
+    }
+
+    /// The angle of a direction.
+    pub(super) fn angle(&self, name: &str) -> f64 {
+        let [cos, sin] = self.both(name);
+        sin.atan2(cos)
+    }
+
+    fn both(&self, name: &str) -> [f64; 2] {
+        let mut found = self.0.iter().filter(|(known, _)| known == name).map(|(_, value)| *value);
+        [(); 2].map(|()| found.next().unwrap_or_else(|| panic!("no `{name}` in {:?}", self.0)))
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.0.iter().map(|(name, value)| (&name[..], *value))
     }
 }
 

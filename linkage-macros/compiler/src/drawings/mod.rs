@@ -5,6 +5,7 @@
 //! and beside them every body keeps the distances of its pins and the side on which each lies.
 
 mod answers;
+mod as_drawn;
 mod chains_of_eight;
 mod declared_by_hand;
 mod declared_points;
@@ -18,6 +19,7 @@ mod poses;
 mod scales;
 mod several_inputs;
 mod textbook;
+mod two_drives;
 mod variants;
 
 /// A machine of the text files beside this.

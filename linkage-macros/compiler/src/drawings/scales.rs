@@ -47,9 +47,10 @@ fn scaled(scale: f64) -> String {
     )
 }
 
-/// Points stand where they are drawn.
+/// Points stand where they are drawn, and slides are those of the machine of size one.
 #[test]
 fn a_machine_compiles_at_every_scale() {
+    let mut before: Option<Vec<f64>> = None;
     for scale in [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6] {
         let machine = machine(&scaled(scale)).unwrap_or_else(|told| panic!("{scale:e}: {told:?}"));
         let drawn = machine.mechanism.drawn.clone().expect("the drive determines it")[0];
@@ -60,6 +61,13 @@ fn a_machine_compiles_at_every_scale() {
                 let found = position.named(&format!("{pin}.{part}")) / scale;
                 // The drawn input is a float, and dyads stand on each other.
                 assert!((found - wanted).abs() < 1e-11, "{scale:e}: {pin}.{part} is {found}");
+            }
+        }
+        let slides = ["Y9", "S12", "S21", "S24"];
+        let slides = slides.map(|link| position.named(&format!("{link}.slide")) / scale).to_vec();
+        if let Some(before) = before.replace(slides.clone()) {
+            for (one, other) in before.iter().zip(&slides) {
+                assert!((one - other).abs() < 1e-11, "{scale:e}: {one} and {other}");
             }
         }
     }

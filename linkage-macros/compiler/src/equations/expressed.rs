@@ -31,9 +31,7 @@ impl<'s> Kinematics<'s> {
             Scalar::Unknown(unknown) => self.unknowns[unknown.index()],
             Scalar::Let(name) => self.lets[name.index()],
             Scalar::Law(law) => self.law(*law),
-            Scalar::Slide(link) => {
-                self.link(*link).slide.expect("the model checked that it slides")
-            }
+            Scalar::Slide(by) => self.slide(*by),
             Scalar::Coordinate(point, axis) => {
                 let [x, y] = self.point(*point).coordinates();
                 if *axis == Axis::X { x } else { y }

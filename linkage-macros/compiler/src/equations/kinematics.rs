@@ -4,14 +4,15 @@ use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use crate::equations::jet::Jet;
-use crate::equations::motion::{Frame, PointMotion};
+use crate::equations::motion::{Direction, Frame, PointMotion};
 use crate::equations::parts::{LimitMeasures, LinkMotion, Solved};
 use crate::equations::reactions::JacobianFactors;
 use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::ir::graph::Node;
 use crate::ir::program::Closure;
 use crate::model::mechanism::{
-    Assembly, Carrier, Group, GroupId, GuideId, LinkId, Mechanism, Mode, PointId, Scalar, Sign,
+    AngleSum, Assembly, Carrier, Group, GroupId, GuideId, LinkId, Mechanism, Mode, PointId, Scalar,
+    Sign,
 };
 
 /// An input as the builder knows it.
@@ -163,6 +164,25 @@ impl<'s> Kinematics<'s> {
 
     pub(super) fn link(&self, id: LinkId) -> LinkMotion<'s> {
         self.links[id.index()].expect("a step uses only what earlier steps have made")
+    }
+
+    /// The slide at the joint of a link, as it is declared or drawn.
+    pub(super) fn slide(&self, by: LinkId) -> Jet<'s> {
+        let slide = self.link(by).slide.expect("the model checked that it slides");
+        match self.mechanism.slide_as_drawn(by) {
+            Some(drawn) if drawn.is_reversed => self.jet(&drawn.shift) + -slide,
+            Some(drawn) => slide + self.jet(&drawn.shift),
+            None => slide,
+        }
+    }
+
+    /// The direction of a link's frame, as it is declared or drawn.
+    pub(super) fn direction(&self, link: LinkId) -> Direction<'s> {
+        let Some(turn) = self.mechanism.turn_of(link) else {
+            return self.link(link).frame.direction;
+        };
+        let turn = AngleSum { links: vec![(link, 1)], rest: turn.clone() };
+        self.turned(Direction::ground(self.builder), &turn)
     }
 
     pub(super) fn measures_of(&self, group: GroupId) -> Option<LimitMeasures<'s>> {

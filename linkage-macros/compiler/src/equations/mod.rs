@@ -225,9 +225,9 @@ fn components_of(kinematics: &Kinematics<'_>, output: &DeclaredOutput, order: Or
             vec![at.x.id, at.y.id]
         }
         OutputKind::Link { link, direction, slide } => {
-            let link = kinematics.link(*link);
-            let turned = direction.then(|| of_direction(link.frame.direction, order));
-            let slid = slide.then_some(link.slide).flatten().map(|slide| of_jet(slide, order));
+            let turned = direction.then(|| of_direction(kinematics.direction(*link), order));
+            let by = kinematics.mechanism.slides_by(*link);
+            let slid = slide.then(|| of_jet(kinematics.slide(by), order));
             turned.into_iter().flatten().chain(slid).collect()
         }
         OutputKind::Angle(_) => of_direction(turn(kinematics, output), order),

@@ -130,7 +130,7 @@ fn machines_with_slides_are_cut_as_by_hand() {
          pin B(0, 0.4m), E(0, 0.6m);
          link AB(A, B); link rod(D, E); guide swing on rod through D towards E;
          link block(B) on swing; drive AB.angle = theta;
-         link ram() on rail; guide slot on ram through E along 90deg; link pin(E) on slot;",
+         link ram() on rail; guide slot on ram through (0, 0) along 90deg; link pin(E) on slot;",
         "input theta: angle; ground A(0, 0), D(0, -1m); guide rail through (0, 0.8m) along 0deg;
          crank AB(A) -> B { length: 0.4m, angle: theta }
          rpr block(B), rod(D) { mode: ahead }

@@ -6,7 +6,7 @@ use crate::interface::force_records::shape;
 use crate::interface::quantity::{Order, Quantity, QuantityPart};
 use crate::interface::records::{Field, RecordId, Shape, Subject};
 use crate::model::acting::{Effort, Ends};
-use crate::model::mechanism::{Dimension, Drive, Mechanism, OutputKind};
+use crate::model::mechanism::{Dimension, Mechanism, OutputKind};
 
 /// The dimension of each number of an entry point's result, in the order of the sinks. Of a matrix or list that is
 /// no record nothing is said.
@@ -96,9 +96,8 @@ pub(crate) fn of_effort(mechanism: &Mechanism, effort: Effort) -> Dimension {
         Effort::Input(id) => effort_along(mechanism.inputs[id.index()].dimension),
         Effort::Unknown(id) => effort_along(mechanism.unknowns[id.index()].dimension),
         Effort::Drive(link) => {
-            let drive = mechanism.group_with(link).and_then(|group| group.outer[0].drive.as_ref());
-            let slides = matches!(drive, Some(Drive::Slide(_)));
-            effort_along(if slides { Dimension::LENGTH } else { Dimension::ANGLE })
+            let is_along = mechanism.is_driven_along(link);
+            effort_along(if is_along { Dimension::LENGTH } else { Dimension::ANGLE })
         }
         Effort::Spring(id) => match dynamics.springs[id.index()].ends {
             Ends::Points(_) => Dimension::FORCE,

@@ -151,13 +151,13 @@ fn driven_effort(
     link: LinkId,
     member: &Ident,
 ) -> Option<Effort> {
-    let efforts = link_efforts::efforts_of(&scope.mechanism, link);
+    let efforts = link_efforts::efforts_of(scope, link);
     let found = efforts.iter().find(|(field, effort)| {
         field == member && matches!(effort, Effort::Drive(_) | Effort::Push(_))
     });
     if let Some(&(_, effort)) = found {
-        if effort == Effort::Drive(link) {
-            drive_by::link_has_a_drive(scope, owner, link)?;
+        if let Effort::Drive(by) = effort {
+            drive_by::link_has_a_drive(scope, owner, by)?;
         }
         return Some(effort);
     }
@@ -186,9 +186,13 @@ pub(super) fn joint_effort(
     link: LinkId,
     member: &Ident,
 ) -> Option<Effort> {
-    let efforts = link_efforts::efforts_of(&scope.mechanism, link);
+    let efforts = link_efforts::efforts_of(scope, link);
     if let Some(&(_, effort)) = efforts.iter().find(|(field, _)| field == member) {
         return Some(effort);
+    }
+    let mut slides = scope.mechanism.slides_of(link);
+    if let Some(slide) = slides.find(|slide| slide.carrier.as_ref() == Some(member)) {
+        return Some(Effort::Guide(slide.by));
     }
     if !scope.facts.links[link.index()].is_placed {
         return None;
@@ -209,7 +213,7 @@ pub(super) fn link_that_touches<'s>(scope: &'s Scope<'_>, point: &Ident) -> Opti
 /// True if the point is a joint of the link.
 fn touches(scope: &Scope<'_>, link: LinkId, point: &Ident) -> bool {
     let is_joint = |effort: &Effort| matches!(effort, Effort::Pin(..) | Effort::Bearing(..));
-    link_efforts::efforts_of(&scope.mechanism, link)
+    link_efforts::efforts_of(scope, link)
         .iter()
         .any(|(field, effort)| field == point && is_joint(effort))
 }
@@ -240,7 +244,7 @@ pub(super) fn forces_too(scope: &Scope<'_>, owner: &Ident) -> String {
 /// The forces of a link in words, where something has mass or acts.
 pub(super) fn forces_of(scope: &Scope<'_>, owner: &Ident) -> Option<String> {
     let Entity::Link(link) = scope.names.entity(owner)? else { return None };
-    let efforts = link_efforts::efforts_of(&scope.mechanism, link);
+    let efforts = link_efforts::efforts_of(scope, link);
     let has_any = !scope.mechanism.dynamics.is_empty() && !efforts.is_empty();
     has_any.then(|| known_efforts(&efforts, owner))
 }
@@ -302,7 +306,7 @@ pub(super) fn every_effort_is_given(scope: &mut Scope<'_>) {
     let links = (0..scope.mechanism.links.len()).map(|index| LinkId(index as u32));
     let links = links.flat_map(|link| {
         let declared = &scope.mechanism.links[link.index()];
-        link_efforts::exerted(&scope.mechanism, link).map(|(field, effort)| RequestedEffort {
+        link_efforts::exerted(scope, link).map(|(field, effort)| RequestedEffort {
             owner: declared.name.clone(),
             field,
             docs: declared.docs.clone(),

@@ -130,16 +130,15 @@ fn whole_effort(
 pub(super) fn friction_is_at_a_joint(scope: &mut Scope<'_>, owner: &Ident, member: &Ident) {
     let Some(link) = uses::link(scope, owner) else { return };
     let frictions = &scope.mechanism.dynamics.frictions;
-    let joints =
-        link_efforts::efforts_of(&scope.mechanism, link).into_iter().filter(|(_, effort)| {
-            frictions.iter().any(|friction| match *effort {
-                Effort::Guide(link) => friction.contact == Contact::Guide(link),
-                Effort::Pin(_, pin) | Effort::Bearing(_, pin) => {
-                    rubs_at(friction.contact, link, Effort::PinFriction(link, pin))
-                }
-                _ => false,
-            })
-        });
+    let joints = link_efforts::efforts_of(scope, link).into_iter().filter(|(_, effort)| {
+        frictions.iter().any(|friction| match *effort {
+            Effort::Guide(link) => friction.contact == Contact::Guide(link),
+            Effort::Pin(_, pin) | Effort::Bearing(_, pin) => {
+                rubs_at(friction.contact, link, Effort::PinFriction(link, pin))
+            }
+            _ => false,
+        })
+    });
     let known: Vec<_> = joints.map(|(joint, _)| format!("`{owner}.{joint}.friction`")).collect();
     let (message, reason) = match &known[..] {
         [] if dynamics_outputs::a_force_may_be_unread(scope) => return,
@@ -251,7 +250,7 @@ fn dimension_of(scope: &Scope<'_>, effort: Effort, part: usize) -> Dimension {
     match effort {
         Effort::Input(id) => conjugate(mechanism.inputs[id.index()].dimension),
         Effort::Unknown(id) => conjugate(mechanism.unknowns[id.index()].dimension),
-        Effort::Drive(link) => match mechanism.links[link.index()].slides {
+        Effort::Drive(link) => match mechanism.is_driven_along(link) {
             true => Dimension::FORCE,
             false => Dimension::TORQUE,
         },

@@ -9,6 +9,7 @@ use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
 use crate::model::acting::Dynamics;
+pub(crate) use crate::model::as_drawn::AsDrawn;
 pub(crate) use crate::model::dimension::Dimension;
 pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Operator, Scalar};
 pub(crate) use crate::model::findings::{Known, Rotatability};
@@ -51,6 +52,8 @@ pub(crate) struct Mechanism {
     pub references: References,
     /// The inputs of the pose in which it is drawn, where it is drawn and they are determined.
     pub drawn: Option<Vec<f64>>,
+    /// Slides, drives and directions that groups have otherwise than the drawing.
+    pub as_drawn: AsDrawn,
     /// True if the declaration has mistakes, so that only part of it was understood.
     pub is_stub: bool,
     pub numerics: Numerics,
@@ -100,6 +103,7 @@ impl Mechanism {
             dynamics: Dynamics::default(),
             references: References::default(),
             drawn: None,
+            as_drawn: AsDrawn::default(),
             is_stub: false,
             numerics: Numerics::Plain,
             crate_path: None,

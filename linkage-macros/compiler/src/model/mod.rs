@@ -11,6 +11,7 @@
 //! together by the theorem of cosines.
 
 pub(crate) mod acting;
+pub(crate) mod as_drawn;
 mod assembly;
 mod calls;
 mod class_three;
@@ -18,6 +19,7 @@ mod coincidence;
 mod declared;
 mod dimension;
 mod drawn;
+mod drawn_relations;
 mod dynamics_outputs;
 mod effort;
 mod effort_formulas;
@@ -112,32 +114,33 @@ fn stub_of_drawing(tree: &Declaration, diagnostics: &mut Diagnostics) -> Mechani
 fn resolve_groups(
     tree: &Declaration,
     diagnostics: &mut Diagnostics,
-    turned: &[drawn::TurnedFrame],
+    drawn: &drawn::DrawnLinks,
 ) -> Option<Mechanism> {
-    let scope = walked(tree, diagnostics, Some(turned));
+    let scope = walked(tree, diagnostics, Some(drawn));
     (scope.diagnostics.count() == 0).then_some(scope.mechanism)
 }
 
-/// Every statement and every rule; of a drawing, `turned` links with the frames that they are written in.
+/// Every statement and every rule; of a drawing, with what groups have made of its links.
 fn walked<'d>(
     tree: &'d Declaration,
     diagnostics: &'d mut Diagnostics,
-    turned: Option<&[drawn::TurnedFrame]>,
+    drawn: Option<&'d drawn::DrawnLinks>,
 ) -> Scope<'d> {
     let mut scope = Scope::new(tree, &tree.unread, diagnostics);
+    scope.drawn = drawn;
     statements(&mut scope, tree);
     unknown::every_unknown_is_solved(&mut scope, tree);
+    drawn::joints::links_are_as_drawn(&mut scope);
     friction::frictions(&mut scope, tree);
     output::outputs(&mut scope, tree);
     order::statements_are_in_order(&mut scope, tree);
     literals::bare_lengths_are_of_a_machine(&mut scope);
     input::an_input_is_declared(&mut scope, tree);
-    input::every_input_is_used(&mut scope, tree, turned.is_some());
+    input::every_input_is_used(&mut scope, tree, drawn.is_some());
     acts::actions_have_an_effect(&mut scope, tree);
     scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);
     rotatability::cranks_can_turn(&mut scope);
     unknown::ends_can_be_assembled(&mut scope);
-    drawn::directions_are_as_written(&mut scope, turned.unwrap_or_default());
     scope
 }
 

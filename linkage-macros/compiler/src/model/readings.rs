@@ -6,6 +6,7 @@ use crate::syntax::expression::FRICTION;
 use crate::syntax::tree;
 
 use super::dimension::Measure;
+use super::drawn::joints;
 use super::expressions::{ResolvedExpr, bare_name, counted};
 use super::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar, Step};
 use super::names::Kind;
@@ -202,7 +203,8 @@ fn member_of_link(
         }),
         "slide" => {
             link_slides(scope, owner, link?, member)?;
-            Some(ResolvedExpr::plain(Measure::LENGTH, Scalar::Slide(link?)))
+            let by = joints::slides_by(scope, owner, link?)?;
+            Some(ResolvedExpr::plain(Measure::LENGTH, Scalar::Slide(by)))
         }
         "friction" if allowed.efforts => {
             effort_formulas::friction_is_at_a_joint(scope, owner, member);
@@ -244,8 +246,12 @@ pub(super) fn link_slides(
         return Some(());
     }
     let (group, statement) = (link.made_by, scope.mechanism.statement(link.made_by));
+    let is_drawn = joints::is_drawn_sliding(scope, name).is_some();
     let sliding = scope.mechanism.links.iter().find(|l| l.made_by == group && l.slides);
     let reason = match sliding {
+        _ if is_drawn => {
+            format!("what slides is declared on a guide: `link {name}(…) on GUIDE;`")
+        }
         Some(sliding) => format!("of `{statement}`, `{}` slides", sliding.name),
         None => format!("no link of `{statement}` slides on a guide"),
     };

@@ -3,6 +3,7 @@
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, Unread};
 
+use super::drawn::DrawnLinks;
 use super::facts::Facts;
 use super::mechanism::{Mechanism, References};
 use super::names::Names;
@@ -15,6 +16,8 @@ pub(super) struct Scope<'d> {
     pub names: Names,
     pub mechanism: Mechanism,
     pub facts: Facts,
+    /// The links of a drawing as groups have made them.
+    pub drawn: Option<&'d DrawnLinks>,
 }
 
 impl<'d> Scope<'d> {
@@ -31,6 +34,7 @@ impl<'d> Scope<'d> {
             names: Names::collect(tree),
             mechanism: Mechanism { references: References::of(tree), ..empty },
             facts: Facts::of(tree),
+            drawn: None,
         }
     }
 }

@@ -63,7 +63,11 @@ impl Mechanism {
 
     /// The joint at which two bodies rub: `BC.C`, `ram`.
     pub(crate) fn contact_name(&self, contact: Contact) -> String {
-        let link = &self.links[contact.link().index()].name;
+        let link = match contact {
+            Contact::Guide(by) => self.sliding(by),
+            Contact::Pin { link, .. } => link,
+        };
+        let link = &self.links[link.index()].name;
         match contact {
             Contact::Pin { pin, .. } => format!("{link}.{}", self.points[pin.index()].name),
             Contact::Guide(_) => link.to_string(),

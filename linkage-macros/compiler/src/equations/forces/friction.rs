@@ -26,6 +26,7 @@ mod forward;
 mod straight;
 mod system;
 
+use crate::equations::forces::drawn_slides::reaction_as_drawn;
 use crate::equations::forces::provided::share;
 use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::jet::Jet;
@@ -123,9 +124,11 @@ impl<'k, 's> Walk<'k, 's> {
         if contacts.is_empty() {
             return;
         }
-        let free = self.pressing(group, &self.loads_on(group), &contacts);
+        let free = self.pressing(group, &self.loads_on(group), &contacts, None);
         let changes: Vec<_> = (contacts.iter())
-            .map(|contact| self.pressing(group, &self.unit(group, contact), &contacts))
+            .map(|contact| {
+                self.pressing(group, &self.unit(group, contact), &contacts, Some(contact))
+            })
             .collect();
         let mechanism = self.kinematics.mechanism;
         let rows = contacts
@@ -226,12 +229,14 @@ impl<'k, 's> Walk<'k, 's> {
         Loads { links, pin: nothing, along }
     }
 
-    /// The reaction at each contact under these loads: both components, as sizes are taken of them.
+    /// The reaction at each contact under these loads, or under a unit of friction at one: both components, as sizes
+    /// are taken of them.
     fn pressing(
         &self,
         group: &Group,
         loads: &Loads<'s>,
         contacts: &[Rubbing<'s>],
+        braked: Option<&Rubbing<'s>>,
     ) -> Vec<[Sym<'s>; 2]> {
         let (outer, by_pin, slide) = match group.links.len() {
             1 => (vec![self.by_driver(&group.outer[0], loads.links[0])], Vec::new(), None),
@@ -245,7 +250,12 @@ impl<'k, 's> Walk<'k, 's> {
         };
         let components = |contact: &Rubbing<'s>, reaction: &Reaction<'s>| match reaction {
             Reaction::Force(Vector { x, y }) => [*x, *y],
-            Reaction::Guide(guide) => [guide.normal, contact.by_couple * guide.couple],
+            Reaction::Guide(guide) => {
+                let along = self.along(group, contact, braked);
+                let by = contact.contact.link();
+                let guide = reaction_as_drawn(self.kinematics, by, *guide, along);
+                [guide.normal, contact.by_couple * guide.couple]
+            }
         };
         let of = |contact: &Rubbing<'s>| match contact.place {
             ContactPlace::Outer(index) => components(contact, &outer[index]),
@@ -256,6 +266,21 @@ impl<'k, 's> Walk<'k, 's> {
             }
         };
         contacts.iter().map(of).collect()
+    }
+
+    /// The force along the guide at a contact, under what is on the links or under a unit of friction. A driver
+    /// balances that of its own contact.
+    fn along(&self, group: &Group, contact: &Rubbing<'s>, braked: Option<&Rubbing<'s>>) -> Sym<'s> {
+        let by = contact.contact.link();
+        match (braked, group.links.len()) {
+            (None, 1) => {
+                let u = self.kinematics.link(by).frame.direction.u;
+                -self.links[by.index()].force.dot(u)
+            }
+            (None, _) => self.slide(by),
+            (Some(braked), 2) if braked.friction == contact.friction => -contact.way,
+            (Some(_), _) => self.builder().zero(),
+        }
     }
 
     /// A unit of friction and its opposite, so many times.
@@ -280,7 +305,13 @@ impl<'k, 's> Walk<'k, 's> {
         frictions.fold(self.builder().zero(), |sum, (index, friction)| {
             let Some(braking) = self.braking.get(&index).copied() else { return sum };
             match (asked, friction.contact) {
-                (Effort::GuideFriction(on), Contact::Guide(link)) if on == link => sum - braking,
+                (Effort::GuideFriction(on), Contact::Guide(by)) if on == by => {
+                    let drawn = self.kinematics.mechanism.slide_as_drawn(by);
+                    match drawn.is_some_and(|slide| slide.is_reversed) {
+                        true => sum + braking,
+                        false => sum - braking,
+                    }
+                }
                 (Effort::PinFriction(on, at), Contact::Pin { link, pin, against }) if at == pin => {
                     match () {
                         () if on == link => sum - braking,

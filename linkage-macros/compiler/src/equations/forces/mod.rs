@@ -19,6 +19,9 @@
 //! angle or slide of an earlier link: a gear, a rack. Where the walk comes to the equation of an unknown, it puts the push of
 //! the bar or the block on it that holds the equation.
 //!
+//! # Slides of a drawing
+//! [`drawn_slides`] tells what a group's guide exerts of the link that is drawn as sliding on it.
+//!
 //! # Friction
 //! [`friction`] takes a share of each reaction, group by group on the way.
 //!
@@ -41,6 +44,7 @@
 //! Norton, Design of Machinery, ch. 11 (dynamic force analysis, dyad by dyad) and ch. 10 (Eksergian's
 //! equation); J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms.
 
+mod drawn_slides;
 mod dynamics;
 mod friction;
 mod loads;

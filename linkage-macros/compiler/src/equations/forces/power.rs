@@ -77,8 +77,7 @@ pub(super) fn applied_power<'s>(kinematics: &Kinematics<'s>, unit: &Kinematics<'
         power = power + couple * unit.carrier(carrier).direction.omega;
     }
     for (link, force) in stops::slides(kinematics) {
-        let slide = unit.link(link).slide.expect("the model checked that it slides");
-        power = power + force * slide.rate;
+        power = power + force * unit.slide(link).rate;
     }
     power
 }

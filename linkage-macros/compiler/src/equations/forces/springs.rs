@@ -43,9 +43,21 @@ fn numbers<'s>(kinematics: &Kinematics<'s>, index: usize) -> Numbers<'s> {
         damping: not_negative(kinematics, damping, title),
         free: match ends {
             Ends::Points(_) => not_negative(kinematics, free, title),
-            Ends::Bodies(_) => kinematics.jet(&free.value).value,
+            Ends::Bodies([first, second]) => {
+                let turn = |body| turn_of(kinematics, body);
+                kinematics.jet(&free.value).value + (turn(*first) - turn(*second))
+            }
         },
     }
+}
+
+/// The angle of a body's frame, as it is drawn, against that of its group.
+fn turn_of<'s>(kinematics: &Kinematics<'s>, body: Carrier) -> Sym<'s> {
+    let turn = match body {
+        Carrier::Ground => None,
+        Carrier::Link(link) => kinematics.mechanism.turn_of(link),
+    };
+    turn.map_or(kinematics.builder.zero(), |turn| kinematics.jet(turn).value)
 }
 
 /// The springs between points, with their numbers in the declaration.

@@ -51,10 +51,7 @@ impl<'s> StopContact<'s> {
         let middle = from + way.half();
         let off = match &stop.of {
             Stopped::Angle(sum) => turned_from(kinematics, sum, middle),
-            Stopped::Slide(link) => {
-                let slide = kinematics.link(*link).slide.expect("the model checked that it slides");
-                slide + Jet::constant(-middle)
-            }
+            Stopped::Slide(by) => kinematics.slide(*by) + Jet::constant(-middle),
             Stopped::Distance(points) => {
                 let line = line(kinematics, index, *points);
                 let [p, q] = points.map(|point| kinematics.point(point).velocity);

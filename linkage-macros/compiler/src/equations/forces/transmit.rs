@@ -37,7 +37,7 @@ impl<'s> Walk<'_, 's> {
                 let mechanism = self.kinematics.mechanism;
                 self.transmit(&mechanism.lets[id.index()].rest, effort);
             }
-            Scalar::Slide(link) => self.push_slide(*link, -effort),
+            Scalar::Slide(by) => self.push_drawn_slide(*by, -effort),
             Scalar::Coordinate(point, axis) => {
                 let zero = self.builder().zero();
                 let force = match axis {

@@ -21,7 +21,7 @@ use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, Po
 pub(in crate::equations) struct Walk<'k, 's> {
     pub(super) kinematics: &'k Kinematics<'s>,
     /// By link, about its origin.
-    links: Vec<Acting<'s>>,
+    pub(super) links: Vec<Acting<'s>>,
     /// By point, on pins and driven points.
     points: Vec<Vector<'s>>,
     /// By guide, about its origin: what the links on it put on it.
@@ -30,12 +30,14 @@ pub(in crate::equations) struct Walk<'k, 's> {
     pub(in crate::equations) ground: Acting<'s>,
     /// The forces along their guides that transmission puts on links that slide.
     slides: HashMap<LinkId, Sym<'s>>,
+    /// The forces along their guides that slides of groups transmit, all of them together.
+    pub(super) along: HashMap<LinkId, Sym<'s>>,
     /// The efforts of coordinates of points in their carriers.
     coordinates: HashMap<(Carrier, PointId), [Sym<'s>; 2]>,
     efforts: Vec<Sym<'s>>,
     /// By unknown, what a drive there would have to exert: in the end nothing.
     sought: Vec<Sym<'s>>,
-    found: HashMap<Effort, Vec<Sym<'s>>>,
+    pub(super) found: HashMap<Effort, Vec<Sym<'s>>>,
     /// By point, the sum of what the links that stand on it put on it.
     standing: HashMap<PointId, Vector<'s>>,
     pub(super) rubs: Rubs<'k, 's>,
@@ -92,6 +94,7 @@ impl<'k, 's> Walk<'k, 's> {
             guides: vec![nothing; mechanism.guides.len()],
             ground: nothing,
             slides: HashMap::new(),
+            along: HashMap::new(),
             coordinates: HashMap::new(),
             efforts: vec![builder.zero(); mechanism.inputs.len()],
             sought: vec![builder.zero(); mechanism.unknowns.len()],
@@ -143,6 +146,10 @@ impl<'k, 's> Walk<'k, 's> {
                 let part = |effort, part: usize| self.components(effort)[part];
                 vec![self.kinematics.jet_of(&formula.value, &part).value]
             }
+            Effort::Guide(by) => self.guide_as_drawn(by),
+            Effort::Drive(by) if self.kinematics.mechanism.driven_as_drawn(by) != by => {
+                self.found[&effort].iter().map(|&number| -number).collect()
+            }
             other => self.found[&other].clone(),
         }
     }
@@ -168,7 +175,7 @@ impl<'k, 's> Walk<'k, 's> {
             self.turn(carrier, couple);
         }
         for (link, force) in stops::slides(self.kinematics) {
-            self.push_slide(link, force);
+            self.push_drawn_slide(link, force);
         }
     }
 
@@ -306,7 +313,7 @@ impl<'k, 's> Walk<'k, 's> {
         self.slides.insert(link, sum);
     }
 
-    fn slide(&self, link: LinkId) -> Sym<'s> {
+    pub(super) fn slide(&self, link: LinkId) -> Sym<'s> {
         self.slides.get(&link).copied().unwrap_or(self.builder().zero())
     }
 
@@ -324,8 +331,15 @@ impl<'k, 's> Walk<'k, 's> {
         *sum = *sum - force;
     }
 
-    fn note_guide(&mut self, link: LinkId, GuideReaction { normal, couple }: GuideReaction<'s>) {
+    /// Records what a guide exerts on a link: normal force and couple, and the force along it.
+    fn note_guide(
+        &mut self,
+        link: LinkId,
+        GuideReaction { normal, couple }: GuideReaction<'s>,
+        along: Sym<'s>,
+    ) {
         self.found.insert(Effort::Guide(link), vec![normal, couple]);
+        self.along.insert(link, along);
     }
 
     /// A guide's force on the link of a joint, at its slide: along the guide and along its normal.
@@ -335,7 +349,7 @@ impl<'k, 's> Walk<'k, 's> {
         reaction: GuideReaction<'s>,
         [slide, along]: [Sym<'s>; 2],
     ) {
-        self.note_guide(joint.link(), reaction);
+        self.note_guide(joint.link(), reaction, along);
         let guide = joint.guide().expect("it slides on a guide");
         let offset = self.kinematics.offset_in(joint).value;
         let frame = self.kinematics.guide(guide);

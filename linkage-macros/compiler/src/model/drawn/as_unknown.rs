@@ -12,6 +12,7 @@ use crate::syntax::tree::{
     Expr, ExprKind, GroupFieldValue, InputStatement, Solve, StatementKind, UnknownStatement,
 };
 
+use super::bars::DrawnBar;
 use super::bodies::Bodies;
 use super::ends::RodEnd;
 use super::figures::sum;
@@ -56,7 +57,7 @@ impl Writer<'_, '_> {
             Some(names.traced)
         });
         let from = if traced.is_some() { 0.0 } else { drawn };
-        self.hidden.push(unknown.clone());
+        self.links.hidden.push(unknown.clone());
         let ends = search.between.map(|end| self.end(from + end, is_angle));
         let stretches = self.stretches(search);
         let sought = Sought { unknown: unknown.clone(), traced, stretches };
@@ -139,7 +140,13 @@ impl Writer<'_, '_> {
         let [p, q] = [first, second].map(|pin| self.bodies.pins[pin].name.clone());
         self.solve(search, unknown, ("distance", [&p, &q]), bar.length());
         self.rod(0, (name, body), [first, second]);
-        self.settle_bar(bar);
+        match bar {
+            DrawnBar::Link { body, pins: [from, to], .. } => {
+                self.bar_is_placed(body, from, to);
+                self.pin_is_elsewhere(body, to);
+            }
+            held @ DrawnBar::Held(_) => self.settle_bar(held),
+        }
     }
 
     /// The equation of a block, and the block behind it.
@@ -174,6 +181,8 @@ impl Writer<'_, '_> {
             }
         };
         self.settle(body, DrawnFrame { begins, points: line.points, origin, axis: line.along });
+        self.slide_is_made(slide, body, None);
+        self.pin_is_elsewhere(body, pin);
     }
 
     fn solve(
@@ -215,7 +224,7 @@ impl Writer<'_, '_> {
         while names.kind(&name).is_some() {
             name = format_ident!("{name}_end");
         }
-        self.hidden.push(name.clone());
+        self.links.hidden.push(name.clone());
         if let Pair::Pin(pin) = at {
             let (link, pin) = (self.name(body).clone(), self.bodies.pins[pin].name.clone());
             self.ends.push(RodEnd { block: name.clone(), link, pin });

@@ -42,6 +42,8 @@ pub(super) struct GuideLine<'t> {
     pub on: usize,
     /// The angle that it is given by.
     pub along: Option<&'t Expr>,
+    /// The pin that it is said to run through.
+    pub through: Option<usize>,
     pub line: DrawnLine,
 }
 
@@ -101,13 +103,19 @@ impl<'t> Bodies<'t> {
         }
     }
 
-    /// The expression with the angles of links as they are drawn, turned on by these angles.
+    /// The expression with the angles and slides of links as they are drawn, angles turned on by these angles.
     pub(super) fn as_drawn(&self, expr: &Expr, pen: &Pen, turns: &[f64]) -> Expr {
         expr.replaced(&|part| match &part.kind {
             ExprKind::Member(link, member) if member == "angle" => {
                 let body = self.body(link)?;
                 let turn = turns.get(body).copied().unwrap_or(0.0);
                 Some(pen.float(self.drawn_angle(body) + turn, "rad"))
+            }
+            ExprKind::Member(link, member) if member == "slide" => {
+                let body = self.body(link)?;
+                let slide = self.machine.slides.iter().find(|slide| slide.body == body)?;
+                let from = self.drawn_origin(body) - slide.through;
+                Some(pen.float(slide.along.dot(from), "m"))
             }
             _ => None,
         })

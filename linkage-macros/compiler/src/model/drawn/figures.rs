@@ -144,6 +144,17 @@ impl Pen {
         Figure { text, value: 0.0, exact: Some(Exact::integer(0)), power: 1 }
     }
 
+    /// The direction of the x of a frame in that frame.
+    pub(super) fn x_axis(&self) -> [Figure; 2] {
+        [1, 0].map(|value| self.whole(value))
+    }
+
+    /// A whole number, of no unit.
+    pub(super) fn whole(&self, value: i64) -> Figure {
+        let exact = Exact::integer(value);
+        self.as_decimal(Figure::plain(self.zero().text, value as f64, Some(exact)))
+    }
+
     pub(super) fn add(&self, a: &Figure, b: &Figure) -> Figure {
         match (a.is_zero(), b.is_zero()) {
             (true, _) => b.clone(),

@@ -3,8 +3,6 @@
 //! A link's frame is that of its statement, whatever group it ends in: its origin is its first pin,
 //! and its x points towards its second, or along its guide where it has one pin.
 
-use crate::exact::Exact;
-
 use super::figures::{Figure, Pen};
 
 /// Where a frame begins.
@@ -52,12 +50,11 @@ impl DrawnLine {
 
 impl DrawnFrame {
     pub(super) fn ground(pen: &Pen) -> Self {
-        let [zero, one] = [0, 1].map(|value| unit_number(pen, value));
         Self {
             begins: Origin::Ground,
             points: Heading::X,
             origin: [pen.zero(), pen.zero()],
-            axis: [one, zero],
+            axis: pen.x_axis(),
         }
     }
 
@@ -101,9 +98,4 @@ impl DrawnFrame {
             _ => pen.seen_in_ground(&self.axis, local),
         }
     }
-}
-
-fn unit_number(pen: &Pen, value: i64) -> Figure {
-    let exact = Exact::integer(value);
-    pen.as_decimal(Figure::plain(pen.zero().text, value as f64, Some(exact)))
 }

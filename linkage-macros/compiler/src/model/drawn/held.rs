@@ -39,8 +39,19 @@ impl Writer<'_, '_> {
     /// Goes on from a bar that its group has placed.
     pub(super) fn settle_bar(&mut self, bar: DrawnBar) {
         match bar {
-            DrawnBar::Link { body, pins: [from, to], .. } => self.bar_is_placed(body, from, to),
+            DrawnBar::Link { body, pins: [from, to], .. } => {
+                self.bar_is_placed(body, from, to);
+                self.is_a_bar(body, [from, to]);
+            }
             DrawnBar::Held(bar) => self.held_links_follow(*bar),
+        }
+    }
+
+    /// Remembers a link that a group has as a bar.
+    fn is_a_bar(&mut self, body: usize, pins: [usize; 2]) {
+        let between = self.bodies.link(body).pins.get(..2);
+        if between.is_some_and(|ends| pins.iter().all(|pin| ends.contains(pin))) {
+            self.bars.push(body);
         }
     }
 
@@ -95,6 +106,7 @@ impl Writer<'_, '_> {
         for (link, from, to) in [(first, from, pivot), (second, pivot, to)] {
             self.rod(behind, (self.name(link).clone(), link), [from, to]);
             self.bar_is_placed(link, from, to);
+            self.pin_is_elsewhere(link, to);
         }
         self.holds_links = true;
     }
@@ -107,7 +119,7 @@ impl Writer<'_, '_> {
         while names.kind(&name).is_some() {
             name = format_ident!("{name}_bar", span = name.span());
         }
-        self.hidden.push(name.clone());
+        self.links.hidden.push(name.clone());
         name
     }
 }

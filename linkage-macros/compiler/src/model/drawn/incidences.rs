@@ -6,7 +6,7 @@ use crate::chain::machine::{Driven, Driving, Footing, GROUND, Machine, RigidBody
 use crate::chain::plane::Complex;
 use crate::model::references::{names_in, names_used};
 use crate::syntax::tree::{
-    DriveStatement, Expr, GroundStatement, GroupStatement, Statement, StatementKind,
+    DriveStatement, Expr, ExprKind, GroundStatement, GroupStatement, Statement, StatementKind,
 };
 
 use super::bodies::{Bodies, GuideLine};
@@ -145,11 +145,18 @@ impl<'t> Reader<'t, '_, '_> {
         Some(Driving { kind: Driven::Angle, bodies: [body, to], reads })
     }
 
-    /// The bodies whose links an expression names.
+    /// The bodies whose links an expression names, and what they slide on where it names their slides.
     fn links_in(&self, expr: &Expr) -> Vec<usize> {
         let mut found = Vec::new();
         names_in(expr, &mut |name| {
             found.extend(self.link_of.get(&name.to_string()).map(|link| link + 1));
+        });
+        expr.each_part(&mut |part| {
+            let ExprKind::Member(link, member) = &part.kind else { return };
+            let link = self.link_of.get(&link.to_string()).filter(|_| member == "slide");
+            let guide = link.and_then(|&link| self.links[link].on.first());
+            let carrier = guide.map(|&guide| self.guides[guide].on);
+            found.extend(carrier.filter(|&carrier| carrier != GROUND));
         });
         found
     }

@@ -9,13 +9,10 @@ use crate::diagnostics::Diagnostics;
 use crate::model::acting::RequestedEffort;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
-use crate::syntax::tree::{
-    Action, Declaration, DriveStatement, MassSite, MassStatement, PointPlace, PointStatement,
-    SpringStatement, StatementKind,
-};
+use crate::syntax::tree::{Declaration, DriveStatement, PointPlace, PointStatement, StatementKind};
 
-use super::TurnedFrame;
 use super::bodies::Bodies;
+use super::joints::TurnedFrame;
 use super::printed::text;
 
 /// The least sine by which a drawing tells the two sides of a dyad apart. Drawn to four digits, a
@@ -276,38 +273,32 @@ pub(super) fn report_limit(bodies: &Bodies<'_>, dyad: &Dyad, diagnostics: &mut D
     diagnostics.error_because(bodies.link(b).name.span(), message, "draw another pose");
 }
 
-/// Reports statements that are measured along the bar of a group, where the link's own frame is another
-/// one: the two would be taken for each other.
+/// Reports distances that are measured along the bar of a group, where the link's own frame is another one: the two would
+/// be taken for each other.
 pub(super) fn report_turned(
     tree: &Declaration,
     turned: &[TurnedFrame],
     diagnostics: &mut Diagnostics,
 ) {
-    let of = |link: &Ident| turned.iter().find(|turned| turned.link == *link);
-    let elsewhere = |link: &Ident| of(link).filter(|turned| !turned.is_reversed);
     for statement in &tree.statements {
-        let (found, told) = match &statement.kind {
-            StatementKind::Action(Action::Spring(SpringStatement { ends, .. })) => {
-                (ends.iter().find(|end| of(end).is_some()), "a torsion spring turns against")
-            }
-            StatementKind::Point(PointStatement {
-                on: Some(on),
-                place: PointPlace::Distances(..),
-                ..
-            }) => (Some(on).filter(|on| elsewhere(on).is_some()), "distances are measured in"),
-            StatementKind::Action(Action::Mass(MassStatement {
-                on,
-                place: MassSite::Uniform(_),
-                ..
-            })) => (Some(on).filter(|on| elsewhere(on).is_some()), "a uniform bar lies in"),
-            _ => continue,
+        let StatementKind::Point(PointStatement {
+            on: Some(on),
+            place: PointPlace::Distances(..),
+            ..
+        }) = &statement.kind
+        else {
+            continue;
         };
-        let Some(link) = found else { continue };
-        let message =
-            format!("{told} the frame of the group of `{link}`, and `{link}` is drawn in another");
-        let reason = format!(
-            "begin `link {link}(…)` with the two joints of its dyad, the outer one first, or declare the group by hand"
+        let is_elsewhere = |turned: &TurnedFrame| turned.link == *on && !turned.is_reversed;
+        if !turned.iter().any(is_elsewhere) {
+            continue;
+        }
+        let message = format!(
+            "distances are measured in the frame of the group of `{on}`, and `{on}` is drawn in another"
         );
-        diagnostics.error_because(link.span(), message, reason);
+        let reason = format!(
+            "begin `link {on}(…)` with the two joints of its dyad, the outer one first, or declare the group by hand"
+        );
+        diagnostics.error_because(on.span(), message, reason);
     }
 }

@@ -4,7 +4,8 @@
 //! [`values`] knows the numbers of the drawing, [`bodies`] its names, [`frames`] the frames of its links. The
 //! room `chain` cuts the machine that they make; [`writer`] writes each step as a statement of the
 //! language, [`rewritten`] what else names a link, and [`sorted`] puts all of them in solving order. What
-//! comes out is resolved like any declaration, so that there is one meaning of everything.
+//! comes out is resolved like any declaration, so that there is one meaning of everything. A group may have a slide or a
+//! drive the other way round, or measure it from elsewhere: [`slides`] says so, and [`joints`] tells the mechanism.
 
 mod agreement;
 mod as_unknown;
@@ -19,14 +20,17 @@ mod framing;
 mod group_statement;
 mod held;
 mod incidences;
+pub(super) mod joints;
 mod lengths;
 mod messages;
 mod motions;
+pub(super) mod on_links;
 mod placed;
 pub(super) mod printed;
 mod rails;
 mod reader;
 mod rewritten;
+mod slides;
 mod sorted;
 mod values;
 mod writer;
@@ -38,32 +42,20 @@ use crate::chain;
 use crate::chain::cutting::Found;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{
-    Declaration, Expr, LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
+    Declaration, LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
 };
 
-use super::mechanism::{Mechanism, OutputKind, References};
-use super::names::Entity;
-use super::numbers;
-use super::scope::Scope;
+use super::mechanism::{Mechanism, References};
 use bodies::Bodies;
 use ends::RodEnd;
+pub(super) use joints::DrawnLinks;
 use reader::Reader;
 use values::Measured;
-
-/// A link whose frame is turned against that of its group, and the angle.
-pub(super) struct TurnedFrame {
-    pub link: Ident,
-    pub angle: Expr,
-    /// True if it goes from one pin of the group's bar to the other, the other way round.
-    pub is_reversed: bool,
-}
 
 /// The declaration of the groups of a drawing.
 struct Translation {
     tree: Declaration,
-    turned: Vec<TurnedFrame>,
-    /// Links that nobody has drawn.
-    hidden: Vec<Ident>,
+    links: DrawnLinks,
     ends: Vec<RodEnd>,
     /// True if drives hold links together.
     holds_links: bool,
@@ -88,7 +80,7 @@ fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
 /// The mechanism that a drawing means.
 pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
     let cut = cut(tree, diagnostics)?;
-    let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.turned)?;
+    let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.links)?;
     mechanism.references = References::of(tree);
     mechanism.drawn = cut.inputs;
     if cut.holds_links {
@@ -104,7 +96,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         asked = mechanism.dynamics.what_is_of_power(asked);
     }
     mechanism.dynamics.asked = ends::as_of_links(&cut.ends, asked);
-    mechanism.outputs.retain(|output| !cut.hidden.contains(&output.field));
+    mechanism.outputs.retain(|output| !cut.links.hidden.contains(&output.field));
     for statement in &tree.statements {
         document(&mut mechanism, statement);
     }
@@ -129,10 +121,9 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let translated = writer.declaration();
     let mut docs = tree.docs.clone();
     docs.extend(printed::documentation(tree, &translated));
-    let writer::Translated { statements, turned, hidden, ends, holds_links, misplaced, .. } =
-        translated;
+    let writer::Translated { statements, links, ends, holds_links, misplaced, .. } = translated;
     placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
-    messages::report_turned(tree, &turned, values.scope.diagnostics);
+    messages::report_turned(tree, &links.turned, values.scope.diagnostics);
     let declaration = Declaration {
         docs,
         visibility: tree.visibility.clone(),
@@ -140,7 +131,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         statements,
         unread: tree.unread.clone(),
     };
-    Some(Translation { tree: declaration, turned, hidden, ends, holds_links, inputs })
+    Some(Translation { tree: declaration, links, ends, holds_links, inputs })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.
@@ -186,21 +177,6 @@ fn document(mechanism: &mut Mechanism, statement: &Statement) {
         }
         for output in mechanism.outputs.iter_mut().filter(|output| output.field == *name) {
             output.docs.extend(statement.docs.iter().cloned());
-        }
-    }
-}
-
-/// The direction of a link among the results is that of the frame that it is written in.
-pub(super) fn directions_are_as_written(scope: &mut Scope<'_>, turned: &[TurnedFrame]) {
-    for TurnedFrame { link, angle, .. } in turned {
-        let Some(Entity::Link(id)) = scope.names.entity(link) else { continue };
-        let Some(turn) = numbers::turn(scope, angle) else { continue };
-        for output in &mut scope.mechanism.outputs {
-            if matches!(output.kind, OutputKind::Link { link, slide: false, .. } if link == id) {
-                let mut sum = turn.clone();
-                sum.links.push((id, 1));
-                output.kind = OutputKind::Angle(sum);
-            }
         }
     }
 }

@@ -82,8 +82,17 @@ impl Writer<'_, '_> {
                 (Some(length), Some(ends)) if !frame.stands_on(ends[1]) => {
                     self.far_end(&frame, ends, length)
                 }
-                // The first of two pins, seen from the second.
-                (Some(length), _) => [length.clone().negated(), self.pen.zero().text],
+                (Some(length), Some([near, far])) => {
+                    let pen = self.pen.at(name.span());
+                    let along = pen.minus(self.place(far), self.place(near));
+                    let along = frame.local_direction(&pen, &along);
+                    let size = pen.size(&along);
+                    let axis = match frame.points {
+                        Heading::Pins(from, to) if [from, to] == [near, far] => pen.x_axis(),
+                        _ => along.map(|part| pen.div(&part, &size)),
+                    };
+                    self.turns.near_end(&pen, length, &axis)
+                }
                 _ => frame
                     .local(&self.pen.at(name.span()), self.place(pin))
                     .map(|number| number.text),

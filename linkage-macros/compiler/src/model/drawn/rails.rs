@@ -3,13 +3,12 @@
 use proc_macro2::Ident;
 use quote::format_ident;
 
-use crate::chain::machine::GROUND;
 use crate::syntax::tree::{
     BinaryOp, Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, GuideStatement, StatementKind,
 };
 
 use super::figures::Figure;
-use super::frames::DrawnFrame;
+use super::frames::{DrawnFrame, Origin};
 use super::writer::{Writer, given};
 
 impl Writer<'_, '_> {
@@ -42,6 +41,7 @@ impl Writer<'_, '_> {
         let name = format_ident!("{}_on_{known}", guide.name, span = guide.name.span());
         let frame = self.own_frame(joint.body);
         let pen = self.pen.at(guide.name.span());
+        let frame = DrawnFrame { origin: self.beginning(&pen, joint.body, &frame), ..frame };
         let through = frame.local(&pen, &guide.line.through).map(|number| number.text);
         let along = pen.angle(&frame.local_direction(&pen, &guide.line.along)).text;
         let kind = StatementKind::Guide(GuideStatement {
@@ -52,14 +52,6 @@ impl Writer<'_, '_> {
         });
         self.put(self.bodies.link(link).statement, kind);
         name
-    }
-
-    /// The frame of a body that is placed.
-    fn own_frame(&self, body: usize) -> DrawnFrame {
-        match &self.own[body] {
-            Some(frame) if body != GROUND => frame.clone(),
-            _ => self.bodies.frames[body].clone(),
-        }
     }
 
     pub(super) fn slider(&mut self, drive: Option<usize>, body: usize, slide: usize) {
@@ -74,7 +66,26 @@ impl Writer<'_, '_> {
         self.group("slider", &[(body, name, rail)], new, fields, drive);
         let line = &self.bodies.guides[guide].line;
         let (axis, points) = (line.along.clone(), line.points);
-        self.settle(body, DrawnFrame { axis, points, ..self.bodies.frames[body].clone() });
+        let written = self.bodies.frames[body].clone();
+        let (begins, origin) = match pin {
+            Some(_) => (written.begins, written.origin),
+            None => self.foot(guide, &written),
+        };
+        self.settle(body, DrawnFrame { begins, points, origin, axis });
+        self.slide_is_made(slide, body, None);
+        self.is_driven_by(drive, body);
+    }
+
+    /// Where a frame without a pin begins on its guide: the foot of its origin.
+    fn foot(&self, guide: usize, written: &DrawnFrame) -> (Origin, [Figure; 2]) {
+        let line = &self.bodies.guides[guide].line;
+        let from = self.pen.minus(&written.origin, &line.through);
+        let [along, across] = self.pen.seen_from(&line.along, &from);
+        if across.is_zero() || written.begins == Origin::Guide(guide) {
+            return (written.begins, written.origin.clone());
+        }
+        let way = self.pen.seen_in_ground(&line.along, &[along, self.pen.zero()]);
+        (Origin::Guide(guide), self.pen.plus(&line.through, &way))
     }
 
     /// How far a driven link is along the guide. One that carries the guide goes the other way.

@@ -9,7 +9,8 @@ use crate::diagnostics::nearest;
 use crate::model::names::{Kind, Names, declared_by};
 use crate::syntax::tree::{
     Course, Declaration, DrawnLink, DriveStatement, Expr, GroundStatement, GroupFieldValue,
-    GuideStatement, LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
+    GuideAnchor, GuideStatement, LinkStatement, PinStatement, PointStatement, Statement,
+    StatementKind,
 };
 
 use super::bodies::{GuideLine, LinkOutline, PinPlace};
@@ -340,7 +341,8 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
 
     fn read_guides(&mut self) {
         for statement in &self.tree.statements {
-            let StatementKind::Guide(GuideStatement { name, on, course, .. }) = &statement.kind
+            let StatementKind::Guide(GuideStatement { name, on, through, course }) =
+                &statement.kind
             else {
                 continue;
             };
@@ -352,12 +354,17 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                 Course::Along(angle) => Some(angle),
                 Course::Towards(_) | Course::Mistake => None,
             };
+            let through = match through {
+                GuideAnchor::Point(point) => self.pin_of.get(&point.to_string()).copied(),
+                GuideAnchor::At(_) | GuideAnchor::Mistake => None,
+            };
             let Some(on) = body else { continue };
             self.guide_of.insert(name.to_string(), self.guides.len());
             self.guides.push(GuideLine {
                 name,
                 on,
                 along,
+                through,
                 line: DrawnLine::unknown(self.values.pen.zero()),
             });
         }

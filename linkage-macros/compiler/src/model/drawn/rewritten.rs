@@ -17,10 +17,10 @@ use crate::syntax::tree::{
     StatementKind,
 };
 
-use super::TurnedFrame;
 use super::bodies::Bodies;
 use super::figures::{Figure, Pen, sum};
-use super::frames::{DrawnFrame, Heading};
+use super::frames::{DrawnFrame, Heading, Origin};
+use super::joints::TurnedFrame;
 
 /// The written frame of a link in that of its group.
 struct FrameShift {
@@ -59,14 +59,10 @@ impl Turns {
             (Heading::Pins(a, b), Heading::Pins(c, d)) => (a, b) == (d, c),
             _ => false,
         };
-        let whole = |value: i64| {
-            let exact = Exact::integer(value);
-            pen.as_decimal(Figure::plain(pen.zero().text, value as f64, Some(exact)))
-        };
         let (angle, axis) = match () {
-            () if written.points == own.points => (None, [whole(1), whole(0)]),
+            () if written.points == own.points => (None, pen.x_axis()),
             () if is_reversed => {
-                let axis = [whole(-1), whole(0)];
+                let axis = pen.x_axis().map(|part| pen.neg(&part));
                 (Some(pen.angle(&axis)), axis)
             }
             () => {
@@ -76,12 +72,24 @@ impl Turns {
                 (Some(pen.angle(&along)), axis)
             }
         };
-        let origin = match length {
-            Some(length) if is_reversed => [length.clone(), pen.zero().text],
+        let origin = match (length, written.points) {
+            (Some(length), Heading::Pins(_, far)) if own.begins == Origin::Pin(far) => {
+                self.near_end(&pen, length, &axis)
+            }
             _ => own.local(&pen, &written.origin).map(|number| number.text),
         };
         let turn = FrameShift { link: link.clone(), angle, axis, origin, is_reversed };
         self.by_link.insert(link.to_string(), turn);
+    }
+
+    /// The near end of a declared length, from the far end in a frame in which the link has this direction.
+    pub(super) fn near_end(&self, pen: &Pen, length: &Expr, axis: &[Figure; 2]) -> [Expr; 2] {
+        let length = Figure::length(self.expr(length), f64::NAN, None);
+        match axis[0].exact.as_ref().and_then(Exact::to_integer) {
+            Some(-1) => [length.text, pen.zero().text],
+            Some(1) => [length.text.negated(), pen.zero().text],
+            _ => axis.each_ref().map(|part| pen.neg(&pen.mul(&length, part)).text),
+        }
     }
 
     /// The links whose directions are other ones.

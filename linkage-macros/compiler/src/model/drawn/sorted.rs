@@ -2,16 +2,19 @@
 
 use std::collections::HashMap;
 
-use crate::model::names::declared_by;
-use crate::model::references::names_used;
-use crate::syntax::tree::{Statement, StatementKind};
+use proc_macro2::Ident;
 
+use crate::model::names::declared_by;
+use crate::model::references::{expressions, names_used};
+use crate::syntax::tree::{ExprKind, Statement, StatementKind};
+
+use super::joints::SlideFound;
 use super::written::Written;
 
 /// The statements, each behind those that it needs and else as they stand. What uses a part of a search
 /// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names
 /// are resolved.
-pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
+pub(super) fn ordered(statements: Vec<Written>, slides: &[SlideFound]) -> Vec<Statement> {
     let mut makers = HashMap::new();
     let mut solves = HashMap::new();
     for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
@@ -26,7 +29,7 @@ pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
         .iter()
         .enumerate()
         .map(|(index, Written { statement, .. })| {
-            let used = names_used(statement).into_iter();
+            let used = names_used(statement).into_iter().chain(joints_read(statement, slides));
             let made = used.filter_map(|name| makers.get(&name.to_string()).copied());
             made.filter(|&maker| maker != index).collect()
         })
@@ -68,6 +71,19 @@ pub(super) fn ordered(statements: Vec<Written>) -> Vec<Statement> {
         ordered.extend(next.and_then(|next| open[next].take()));
     }
     ordered
+}
+
+/// The links by whose joints those slide whose slides a statement reads.
+fn joints_read(statement: &Statement, slides: &[SlideFound]) -> Vec<Ident> {
+    let mut joints = Vec::new();
+    expressions(statement, &mut |expr| {
+        expr.each_part(&mut |part| {
+            let ExprKind::Member(link, member) = &part.kind else { return };
+            let own = slides.iter().filter(|slide| slide.is_first && slide.link == *link);
+            joints.extend(own.filter(|_| member == "slide").map(|slide| slide.by.clone()));
+        });
+    });
+    joints
 }
 
 /// The search that each statement is a part of: its own, or one that needs the statement and makes what it stands

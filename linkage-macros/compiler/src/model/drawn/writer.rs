@@ -13,17 +13,17 @@ use super::ends::{self, RodEnd};
 use super::figures::{Figure, Pen};
 use super::frames::{DrawnFrame, Origin};
 use super::group_statement::group_of;
+use super::is_point_of;
+use super::joints::DrawnLinks;
 use super::rewritten::Turns;
 use super::sorted;
 use super::written::{Sought, Written};
-use super::{TurnedFrame, is_point_of};
 
 /// The statements that a drawing became.
 pub(super) struct Translated {
     pub statements: Vec<Statement>,
-    pub turned: Vec<TurnedFrame>,
+    pub links: DrawnLinks,
     pub searches: Vec<Sought>,
-    pub hidden: Vec<Ident>,
     /// The joints of links at which such blocks stand in for them.
     pub ends: Vec<RodEnd>,
     /// True if drives hold links together.
@@ -51,8 +51,10 @@ pub(super) struct Writer<'b, 't> {
     pub(super) searches: Vec<Sought>,
     /// The search whose statements are written, and behind which statement they stand.
     pub(super) searching: Option<(usize, usize)>,
-    /// Blocks that only hold a link in place.
-    pub(super) hidden: Vec<Ident>,
+    /// Links that groups have as bars between the first two pins of their statements.
+    pub(super) bars: Vec<usize>,
+    /// The links as groups make them.
+    pub(super) links: DrawnLinks,
     pub(super) ends: Vec<RodEnd>,
     /// True if drives hold links together.
     pub(super) holds_links: bool,
@@ -78,7 +80,8 @@ impl<'b, 't> Writer<'b, 't> {
             written: Vec::new(),
             searches: Vec::new(),
             searching: None,
-            hidden: Vec::new(),
+            bars: Vec::new(),
+            links: DrawnLinks::default(),
             ends: Vec::new(),
             holds_links: false,
         }
@@ -86,12 +89,13 @@ impl<'b, 't> Writer<'b, 't> {
 
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
+        let bars = self.bars_between_pins();
         let Self {
             bodies,
             turns,
             mut written,
             searches,
-            hidden,
+            mut links,
             ends,
             holds_links,
             replaced,
@@ -106,16 +110,12 @@ impl<'b, 't> Writer<'b, 't> {
             written.push(Written { behind: index, search: None, statement });
         }
         written.sort_by_key(|written| written.behind);
-        let statements = sorted::ordered(written);
-        Translated {
-            statements,
-            turned: turns.directions(),
-            searches,
-            hidden,
-            ends,
-            holds_links,
-            misplaced,
-        }
+        let statements = sorted::ordered(written, &links.slides);
+        let drawn = bodies.links.iter().filter(|link| !link.is_given);
+        links.made = drawn.map(|link| link.name).chain(&links.hidden).cloned().collect();
+        links.bars = bars;
+        links.turned = turns.directions();
+        Translated { statements, links, searches, ends, holds_links, misplaced }
     }
 
     /// Puts a statement behind one of the drawing, or where the search in hand stands.
@@ -194,6 +194,8 @@ impl<'b, 't> Writer<'b, 't> {
             },
         };
         self.settle(body, frame);
+        self.bars.extend(tip.map(|_| body));
+        self.is_driven_by(drive, body);
     }
 
     fn dyad(&mut self, dyad: &Dyad) {
@@ -222,6 +224,7 @@ impl<'b, 't> Writer<'b, 't> {
                 self.write_named(dyad, names, Some(v), fields);
                 self.settle_bar(bar);
                 self.block_is_placed(block, v, guide);
+                self.slide_is_made(s, block, None);
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
                 let [block, bar] = self.bars(dyad);
@@ -235,6 +238,8 @@ impl<'b, 't> Writer<'b, 't> {
                 self.write(dyad, None, fields);
                 self.block_is_placed(block, u, guide);
                 self.block_is_placed(bar, w, guide);
+                let start = self.start_on_bar(s, bar);
+                self.slide_is_made(s, block, start);
             }
             (Pair::Slide(s), Pair::Pin(v), Pair::Slide(t)) => {
                 let [a, b] = self.bars(dyad);
@@ -244,6 +249,8 @@ impl<'b, 't> Writer<'b, 't> {
                 self.write(dyad, Some(v), fields);
                 self.block_is_placed(a, v, guides[0]);
                 self.block_is_placed(b, v, guides[1]);
+                self.slide_is_made(s, a, None);
+                self.slide_is_made(t, b, None);
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Slide(t)) => self.yoke(dyad, u, s, t),
             _ => {}
@@ -279,8 +286,10 @@ impl<'b, 't> Writer<'b, 't> {
         let mut fields = vec![("slot", GroupFieldValue::One(self.turns.expr(&angle)))];
         fields.extend(self.offsets([pen.zero(), offset]));
         self.write(dyad, None, fields);
-        self.settle(yoke, frame);
+        self.settle(yoke, frame.clone());
         self.block_is_placed(block, pin, guides[0]);
+        self.slide_is_made(rail, yoke, None);
+        self.slide_is_made(slot, block, Some(self.beginning(&pen, yoke, &frame)));
     }
 
     /// The field `offsets`, none where both are zero.

@@ -8,6 +8,7 @@ use crate::syntax::tree::{
 };
 
 use crate::model::acting::{Contact, Friction, Magnitude};
+use crate::model::drawn::joints;
 use crate::model::folding::shown;
 use crate::model::mechanism::{
     Body, Carrier, Dimension, Drive, Length, LinkId, PartOf, PointId, Scalar,
@@ -213,7 +214,7 @@ fn slider(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
     }
     let link = uses::link(scope, name)?;
     if scope.mechanism.links[link.index()].slides {
-        return Some(Contact::Guide(link));
+        return joints::slides_by(scope, name, link).map(Contact::Guide);
     }
     let message = format!("`{name}` does not slide");
     let reason = format!("at one of its pins friction is `friction 0.1 on {name} at P radius 8mm`");

@@ -8,6 +8,7 @@ use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
 use crate::syntax::tree::{self, Expr};
 use crate::syntax::words::built_by;
 
+use crate::model::drawn::joints;
 use crate::model::fields::{self, Fields};
 use crate::model::mechanism::{GroupId, GroupName, GuideId, LinkId, PartOf, PointId, Step};
 use crate::model::names::{Entity, Kind};
@@ -143,7 +144,10 @@ pub(in crate::model) fn group(
     }
     let id = declared::next_group(scope);
     let links: Vec<_> = (group.legs.iter().zip(anatomy.slides()))
-        .map(|(leg, slides)| declared::add_link(scope, docs, &leg.link, id, slides))
+        .map(|(leg, slides)| {
+            let slides = joints::is_drawn_sliding(scope, &leg.link).unwrap_or(slides);
+            declared::add_link(scope, docs, &leg.link, id, slides)
+        })
         .collect();
     let pin = pin(scope, docs, group, anatomy, id);
     let (keyword, title) = (group.keyword.clone(), group.title());
@@ -154,6 +158,7 @@ pub(in crate::model) fn group(
     let step = jointed::jointed(scope, &parts).map(Step::Group);
     facts_of_what_was_made(scope, &parts, step.is_some(), moves);
     scope.mechanism.steps.extend(step);
+    joints::joints_are_as_drawn(scope, &parts);
 }
 
 /// Everything a group makes moves if anything it was given moves.

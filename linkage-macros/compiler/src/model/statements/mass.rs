@@ -7,6 +7,7 @@ use crate::diagnostics::Extent;
 use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassStatement};
 
 use crate::model::acting::{Magnitude, Mass, MassPlace};
+use crate::model::drawn::on_links;
 use crate::model::folding::shown;
 use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
 use crate::model::names::Kind;
@@ -60,6 +61,9 @@ impl Rules for InertiaStatement {
     }
 }
 
+/// The inertia of a uniform bar.
+const OF_A_BAR: &str = "`uniform` means m l²/12";
+
 pub(in crate::model) fn mass(
     scope: &mut Scope<'_>,
     value: &Expr,
@@ -78,12 +82,20 @@ pub(in crate::model) fn mass(
         }
         None => None,
     };
+    if let Written::Uniform(_) = place
+        && let Some(bar) = on_links::bar_as_drawn(scope, on)
+    {
+        return match inertia {
+            Some((written, _)) => inertia_is_superfluous(scope, written, OF_A_BAR),
+            None => on_links::uniform_as_drawn(scope, on, mass?, bar),
+        };
+    }
     let place = mass_place(scope, on, place)?;
     let mass = mass?;
     let inertia = match (inertia, &place) {
         (None, _) => Magnitude::zero(),
         (Some((written, _)), MassPlace::Uniform(..)) => {
-            return inertia_is_superfluous(scope, written, "`uniform` means m l²/12");
+            return inertia_is_superfluous(scope, written, OF_A_BAR);
         }
         (Some((written, _)), MassPlace::Pin(_)) => {
             let reason = "a mass on a pin is a point; what turns is a link: `mass … on BC at C`";
@@ -156,6 +168,9 @@ fn mass_place(scope: &mut Scope<'_>, on: &Ident, place: &Written) -> Option<Mass
             let link = uses::link(scope, on);
             let id = uses::point(scope, point);
             let (link, id) = (link?, id?);
+            if let Some(place) = on_links::place_as_drawn(scope, on, point) {
+                return Some(MassPlace::At(link, numbers::lengths(scope, place)?));
+            }
             point_is_on_link(scope, point, id, link)?;
             Some(MassPlace::Point(link, id))
         }

@@ -208,11 +208,11 @@ impl<'k, 's> Walk<'k, 's> {
     /// A block in another link: the group's formulas put its opposite on that.
     fn slide_in(&mut self, group: &Group, reaction: GuideReaction<'s>) {
         let joint = &group.inner[0];
-        self.note_guide(joint.link(), reaction);
+        let along = self.slide(joint.link());
+        self.note_guide(joint.link(), reaction, along);
         let Some(Slideway::Slot { across, angle, .. }) = joint.slideway() else {
             return self.transmit_offset(joint, reaction.normal);
         };
-        let along = self.slide(joint.link());
         let efforts = self.kinematics.levers(group.id).efforts_of_slot(reaction, along);
         self.transmit(across, efforts[0]);
         self.transmit_offset(joint, reaction.normal);

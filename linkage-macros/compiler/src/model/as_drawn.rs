@@ -1,0 +1,43 @@
+//! Slides, drives and directions of links as their drawing has them, in terms of the joints and frames that groups gave
+//! them.
+//!
+//! A group may have a joint the other way round, or measure it from another place: which it does is a matter of what
+//! is driven. What a drawing says of the joint is the same whatever that is.
+
+use proc_macro2::Ident;
+
+use super::expr::Scalar;
+use super::ids::LinkId;
+
+/// The statements of a drawing about its links; empty where nothing is drawn.
+#[derive(Default)]
+pub(crate) struct AsDrawn {
+    pub slides: Vec<DrawnSlide>,
+    pub drives: Vec<DrawnDrive>,
+    /// The links whose frame is turned against that of their group, and the angle.
+    pub turns: Vec<(LinkId, Scalar)>,
+}
+
+/// A link that is drawn on a guide. With the slide s of a group's joint its slide is ±s + `shift`.
+pub(crate) struct DrawnSlide {
+    pub link: LinkId,
+    pub guide: Ident,
+    /// The link that carries the guide.
+    pub carrier: Option<Ident>,
+    /// The link whose joint it is in a group.
+    pub by: LinkId,
+    /// True if that link is the guide's carrier, so that the group has the joint the other way round.
+    pub is_reversed: bool,
+    pub shift: Scalar,
+    /// From the origin of the drawn link's frame to that of `by`, along the guide and across it. Where the joint is
+    /// reversed, s adds to what is along.
+    pub arm: [Scalar; 2],
+    /// True for the guide that the link's statement names first, along which its slide is.
+    pub is_first: bool,
+}
+
+/// The drive of a link that a group has the other way round: its effort is the opposite.
+pub(crate) struct DrawnDrive {
+    pub link: LinkId,
+    pub by: LinkId,
+}

@@ -1,0 +1,48 @@
+//! Slides, drives and directions of links, read from what is drawn of them.
+
+use super::as_drawn::DrawnSlide;
+use super::mechanism::{Drive, LinkId, Mechanism, Scalar};
+
+impl Mechanism {
+    /// The slide of the drawing that is the joint by which a link slides in its group.
+    pub(crate) fn slide_as_drawn(&self, by: LinkId) -> Option<&DrawnSlide> {
+        self.as_drawn.slides.iter().find(|slide| slide.by == by)
+    }
+
+    /// The link that is known to slide by the joint of this one.
+    pub(crate) fn sliding(&self, by: LinkId) -> LinkId {
+        self.slide_as_drawn(by).map_or(by, |slide| slide.link)
+    }
+
+    /// The link that is known to be driven by the drive of this one.
+    pub(crate) fn driven_as_drawn(&self, by: LinkId) -> LinkId {
+        let drives = &self.as_drawn.drives;
+        drives.iter().find(|drive| drive.by == by).map_or(by, |drive| drive.link)
+    }
+
+    /// The angle of a link's frame against that of its group, where they differ.
+    pub(crate) fn turn_of(&self, link: LinkId) -> Option<&Scalar> {
+        self.as_drawn.turns.iter().find(|(turned, _)| *turned == link).map(|(_, turn)| turn)
+    }
+
+    /// The joints by which a link slides as it is drawn, by their guides.
+    pub(crate) fn slides_of(&self, link: LinkId) -> impl Iterator<Item = &DrawnSlide> {
+        self.as_drawn.slides.iter().filter(move |slide| slide.link == link)
+    }
+
+    /// The link by whose joint a link has its slide.
+    pub(crate) fn slides_by(&self, link: LinkId) -> LinkId {
+        self.slides_of(link).find(|slide| slide.is_first).map_or(link, |slide| slide.by)
+    }
+
+    /// The link whose driver drives this one, where its group has the drive the other way round.
+    pub(crate) fn driven_by_another(&self, link: LinkId) -> Option<LinkId> {
+        self.as_drawn.drives.iter().find(|drive| drive.link == link).map(|drive| drive.by)
+    }
+
+    /// True if a link is driven along a guide.
+    pub(crate) fn is_driven_along(&self, link: LinkId) -> bool {
+        let drive = self.group_with(link).and_then(|group| group.outer[0].drive.as_ref());
+        matches!(drive, Some(Drive::Slide(_)))
+    }
+}
