@@ -50,7 +50,7 @@ pub struct ForcesCost {
 /// The cost of finding one unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SearchCost {
-    /// The unknown.
+    /// The unknown; of a drawing, the links for which it was put.
     pub unknown: &'static str,
     /// One evaluation of its equation and of the slope of that.
     pub evaluation: Operations,

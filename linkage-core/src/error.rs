@@ -46,7 +46,7 @@ pub enum SolveError {
     },
     /// Between its ends an unknown does not solve its equation in the wanted way.
     NoSolution {
-        /// The unknown.
+        /// The unknown; of a drawing, the links for which it was put.
         unknown: &'static str,
         /// The residual of the equation at the nearer end, or at the dead point next to it.
         by: f64,
@@ -59,7 +59,7 @@ pub enum SolveError {
     /// The equation of an unknown has more than one dead point between its ends, and it is not known
     /// whether it has a solution; or it is not smooth there.
     SeveralDeadPoints {
-        /// The unknown.
+        /// The unknown; of a drawing, the links for which it was put.
         unknown: &'static str,
     },
     /// Friction may hold itself at a joint: it is so large, or the pose so near a dead point, that what it

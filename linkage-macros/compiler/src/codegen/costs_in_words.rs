@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::identifiers::{generated, text};
+use super::identifiers::generated;
 use super::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::interface::entries::Analysis;
@@ -55,7 +55,7 @@ fn searches(cx: &Context<'_>) -> TokenStream {
     let cost_type = cx.paths.item("SearchCost");
     let costs = cx.mechanism.unknowns.iter().enumerate().filter_map(|(index, unknown)| {
         let search = cx.lowered.search(index)?;
-        let (name, evaluation) = (text(&unknown.name), record(cx, search.cost));
+        let (name, evaluation) = (cx.mechanism.title_of_unknown(unknown), record(cx, search.cost));
         let [wide, narrow] = MOST.map(Literal::u32_unsuffixed);
         Some(quote!(#cost_type {
             unknown: #name,

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal};
 
 use super::arguments::Arguments;
 use super::context::Context;
-use super::identifiers::{generated, text};
+use super::identifiers::generated;
 use super::printer::{Dialect, Operation, Printer};
 use super::text::Text;
 use crate::interface::quantity::Order;
@@ -217,7 +217,8 @@ impl Dialect for InRust<'_> {
             Some(_) => format!(", {}::None)", printer.dialect.cx.paths.written("Option")),
             None => ")".to_string(),
         });
-        let unknown = &printer.dialect.cx.mechanism.unknowns[search.sought.unknown as usize];
+        let mechanism = printer.dialect.cx.mechanism;
+        let unknown = &mechanism.unknowns[search.sought.unknown as usize];
         to.put("let (").put(&printer.local(root)).put(", ").put(&size).put(") = ");
         if let Target::End(_) = search.sought.wanted {
             to.append(&found);
@@ -226,7 +227,7 @@ impl Dialect for InRust<'_> {
             to.put(")");
         } else {
             let unit = unit(unknown.measure, Order::Position);
-            let named = [quoted(&text(&unknown.name)), quoted(&unit)].join(", ");
+            let named = [quoted(mechanism.title_of_unknown(unknown)), quoted(&unit)].join(", ");
             let is_apart = search.apart.is_some();
             to.put(if is_apart { "{ let found_ = " } else { "checks_.root(" }).append(&found);
             to.put(if is_apart { "; checks_.root(found_, " } else { ", " }).put(&named);

@@ -5,7 +5,7 @@
 //! Functions are those of the page's `kernels.js`, conditions methods of its `checks.js`, friction is solved by
 //! its `friction.js`.
 
-use super::identifiers::{CIRCLE, text};
+use super::identifiers::CIRCLE;
 use super::printer::{Dialect, Operation, Printer};
 use super::text::Text;
 use crate::interface::quantity::Order;
@@ -149,7 +149,8 @@ impl Dialect for InScript<'_> {
         printer.values(&search.given, to);
         let unknown = &dialect.mechanism.unknowns[search.sought.unknown as usize];
         let unit = unit(unknown.measure, Order::Position);
-        let [name, unit] = [text(&unknown.name), unit].map(|text| quoted(&text));
+        let name = dialect.mechanism.title_of_unknown(unknown);
+        let [name, unit] = [name, &unit].map(quoted);
         to.put("], ").put(&name).put(", ").put(&unit).put(");\n");
     }
 

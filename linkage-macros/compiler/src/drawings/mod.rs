@@ -12,6 +12,7 @@ mod declared_points;
 mod eight_bars;
 mod files;
 mod following;
+mod hidden_names;
 pub(crate) mod lorry;
 mod machine;
 mod named_expressions;

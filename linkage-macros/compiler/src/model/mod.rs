@@ -128,6 +128,7 @@ fn walked<'d>(
 ) -> Scope<'d> {
     let mut scope = Scope::new(tree, &tree.unread, diagnostics);
     scope.drawn = drawn;
+    scope.names.hide(drawn.map_or(&[], |drawn| &drawn.names));
     statements(&mut scope, tree);
     unknown::every_unknown_is_solved(&mut scope, tree);
     drawn::joints::links_are_as_drawn(&mut scope);

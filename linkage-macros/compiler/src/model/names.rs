@@ -86,6 +86,8 @@ pub(super) struct Symbol {
     pub entity: Option<Entity>,
     /// True if its statement was reached, so that another declaration is the second.
     pub declared: bool,
+    /// True if nobody has written it, so that no message proposes it.
+    pub is_hidden: bool,
     /// True if another declaration was reached: the meaning of the name is unknown from there.
     pub ambiguous: bool,
 }
@@ -140,11 +142,20 @@ impl Names {
                     is_a_pin,
                     entity: None,
                     declared: false,
+                    is_hidden: false,
                     ambiguous: false,
                 });
             }
         }
         names
+    }
+
+    /// No message proposes these names.
+    pub(super) fn hide(&mut self, hidden: &[Ident]) {
+        let is_hidden = |symbol: &Symbol| hidden.iter().any(|name| *name == symbol.name);
+        for symbol in &mut self.symbols {
+            symbol.is_hidden = is_hidden(symbol);
+        }
     }
 
     /// Every name means its first declaration, although there are others.
@@ -180,9 +191,10 @@ impl Names {
         self.symbol(name).and_then(|symbol| symbol.entity)
     }
 
-    /// All names of these kinds, in order of declaration.
+    /// All names of these kinds that somebody has written, in order of declaration.
     pub(super) fn of_kinds(&self, kinds: &[Kind]) -> impl Iterator<Item = &str> {
-        self.symbols.iter().filter(|s| kinds.contains(&s.kind)).map(|s| s.name.as_str())
+        let known = self.symbols.iter().filter(|symbol| !symbol.is_hidden);
+        known.filter(|symbol| kinds.contains(&symbol.kind)).map(|symbol| symbol.name.as_str())
     }
 
     pub(super) fn symbol(&self, name: &Ident) -> Option<&Symbol> {

@@ -3,7 +3,7 @@
 use super::acting::{Contact, Ends, Force, Spring};
 use crate::function::Function;
 
-use super::mechanism::{Carrier, Mechanism, PointId};
+use super::mechanism::{Carrier, Mechanism, PointId, Unknown};
 
 impl Mechanism {
     /// Titles for errors, in this order: groups, springs, stops, forces, inputs, functions, the load that drives. A spring, a stop or a
@@ -37,6 +37,12 @@ impl Mechanism {
     /// The number of the title of the load that drives among [`Self::titles`].
     pub(crate) fn title_of_pull(&self) -> u32 {
         self.title_of_input(self.inputs.len()) + Function::names().count() as u32
+    }
+
+    /// The title of what fails where an unknown is not found: its name, or the links of a drawing for which it was put.
+    pub(crate) fn title_of_unknown(&self, unknown: &Unknown) -> &str {
+        let title = &self.groups[unknown.group.index()].title;
+        title.strip_prefix("r#").unwrap_or(title)
     }
 
     /// The number of an input's title among [`Self::titles`].

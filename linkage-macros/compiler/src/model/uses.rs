@@ -127,7 +127,8 @@ fn name_exists(scope: &mut Scope<'_>, name: &Ident, kinds: &[Kind]) {
         }
         None => {
             let earlier = |symbol: &&Symbol| {
-                kinds.contains(&symbol.kind) && symbol.statement < scope.names.current
+                let is_earlier = symbol.statement < scope.names.current;
+                kinds.contains(&symbol.kind) && is_earlier && !symbol.is_hidden
             };
             let known: Vec<_> = scope.names.symbols.iter().filter(earlier).collect();
             if (1..=8).contains(&known.len()) {

@@ -90,9 +90,10 @@ impl<'a> In<'a> {
             if sign.is_none() { format!("{} trend, ", self.real()) } else { String::new() };
         let trend = sign.unwrap_or_else(|| "trend".to_string());
         let (ending, is_turn) = (self.ending(), u8::from(search.asks_for_a_turn));
-        let unknown = &self.cx.mechanism.unknowns[sought.unknown as usize].name;
+        let unknown = &self.cx.mechanism.unknowns[sought.unknown as usize];
+        let unknown = self.cx.mechanism.title_of_unknown(unknown);
         let [name, trial] = [self.root_name(search), self.trial_name(search)];
-        let (real, unknown) = (self.real(), quoted(&text(unknown)));
+        let (real, unknown) = (self.real(), quoted(unknown));
         lines.put(&format!(
             "const LinkageBetween{ending} between = {{ {}, {}, {trend}, {near}, {has_near}, {is_turn} }};\n\
              return linkage_root{ending}(why, {unknown}, &between, {trial}, given, found);\n",

@@ -2,12 +2,10 @@
 //! equation.
 
 use proc_macro2::{Ident, Span};
-use quote::format_ident;
 
 use crate::chain::cutting::{DyadLeg, Found, Pair, SearchedGroup};
 use crate::chain::machine::Driven;
 use crate::chain::plane::Complex;
-use crate::model::names::Names;
 use crate::syntax::tree::{
     Expr, ExprKind, GroupFieldValue, InputStatement, Solve, StatementKind, UnknownStatement,
 };
@@ -51,13 +49,15 @@ impl Writer<'_, '_> {
         let traced = search.following.as_ref().and_then(|following| {
             let drive = self.turns.expr(&self.bodies.drives.first()?.1.value);
             let drawn = DrawnValues { drive: self.bodies.drawn_value(0)?, unknown: drawn };
-            let names = traced_names(self.bodies.tree, &unknown);
+            let names = traced_names(&mut self.names, &unknown);
             let fitted = Fitted { pen: &self.pen, following, drive, drawn, is_angle };
             fitted.statements(&names).into_iter().for_each(|kind| self.put(behind, kind));
             Some(names.traced)
         });
         let from = if traced.is_some() { 0.0 } else { drawn };
-        self.links.hidden.push(unknown.clone());
+        let held = search.held.map(|(body, _)| body);
+        let links = search.steps.iter().flat_map(bodies_of).chain([search.left_out]);
+        self.hide(unknown.clone(), &links.chain(held).collect::<Vec<_>>());
         let ends = search.between.map(|end| self.end(from + end, is_angle));
         let stretches = self.stretches(search);
         let sought = Sought { unknown: unknown.clone(), traced, stretches };
@@ -219,12 +219,8 @@ impl Writer<'_, '_> {
 
     /// The name of the block that holds a link in place at a joint.
     fn block(&mut self, body: usize, link: &Ident, at: Pair) -> Ident {
-        let mut name = format_ident!("{link}_end", span = link.span());
-        let names = Names::collect(self.bodies.tree);
-        while names.kind(&name).is_some() {
-            name = format_ident!("{name}_end");
-        }
-        self.links.hidden.push(name.clone());
+        let name = self.names.made(format!("{link}_end"), "_end", link.span());
+        self.hide(name.clone(), &[]);
         if let Pair::Pin(pin) = at {
             let (link, pin) = (self.name(body).clone(), self.bodies.pins[pin].name.clone());
             self.ends.push(RodEnd { block: name.clone(), link, pin });
@@ -232,19 +228,17 @@ impl Writer<'_, '_> {
         name
     }
 
+    /// Remembers a name that nobody has written, and the links that it stands for.
+    pub(super) fn hide(&mut self, name: Ident, links: &[usize]) {
+        let links = links.iter().map(|&body| self.name(body).clone());
+        self.links.hidden.push((name, links.collect()));
+    }
+
     /// A name for an unknown that nothing has.
-    fn free_name(&self, span: Span) -> Ident {
-        let names = Names::collect(self.bodies.tree);
+    fn free_name(&mut self, span: Span) -> Ident {
         let letters = ["phi", "psi", "chi", "xi"].map(String::from).into_iter();
         let more = (1..).map(|number| format!("phi{number}"));
-        letters
-            .chain(more)
-            .map(|name| Ident::new(&name, span))
-            .find(|name| {
-                let is_taken = self.searches.iter().any(|sought| sought.unknown == *name);
-                names.kind(name).is_none() && !is_taken
-            })
-            .expect("there is always another number")
+        self.names.first(letters.chain(more), span)
     }
 }
 

@@ -2,13 +2,12 @@
 //! statements.
 
 use proc_macro2::{Ident, Span};
-use quote::format_ident;
 
 use crate::chain::fit::{DeadEnds, Following, Terms};
-use crate::model::names::Names;
-use crate::syntax::tree::{BinaryOp, Declaration, Expr, ExprKind, LetStatement, StatementKind};
+use crate::syntax::tree::{BinaryOp, Expr, ExprKind, LetStatement, StatementKind};
 
 use super::figures::{Figure, Pen, sum};
+use super::free_names::FreeNames;
 
 /// The names of an unknown's fit.
 pub(super) struct TracedNames {
@@ -19,15 +18,8 @@ pub(super) struct TracedNames {
 }
 
 /// Names that nothing has.
-pub(super) fn traced_names(tree: &Declaration, unknown: &Ident) -> TracedNames {
-    let names = Names::collect(tree);
-    let free = |ending: &str| {
-        let mut name = format_ident!("{unknown}_{ending}", span = unknown.span());
-        while names.kind(&name).is_some() {
-            name = format_ident!("{name}_", span = unknown.span());
-        }
-        name
-    };
+pub(super) fn traced_names(names: &mut FreeNames, unknown: &Ident) -> TracedNames {
+    let mut free = |ending: &str| names.made(format!("{unknown}_{ending}"), "_", unknown.span());
     TracedNames { argument: free("u"), sine: free("s"), traced: free("traced") }
 }
 
@@ -156,6 +148,10 @@ impl Writing {
     fn with_ends(&self, fit: Expr, ends: Option<DeadEnds>, falling: Expr, odd: &Ident) -> Expr {
         let Some(DeadEnds { mean, skew }) = ends else { return fit };
         let factor = sum(self.number(mean), self.times(self.name(odd), skew));
+        // Beyond a dead point it is zero, (x + |x|)/2: the search then finds no root, where a root of a negative number
+        // would be none itself.
+        let size = self.call("sqrt", self.product(falling.clone(), falling.clone()));
+        let falling = self.times(sum(falling, size), 0.5);
         sum(fit, self.product(self.call("sqrt", falling), factor))
     }
 

@@ -2,11 +2,9 @@
 //! gives. The bar takes part in a group, and both links are placed on it.
 
 use proc_macro2::Ident;
-use quote::format_ident;
 
 use crate::chain::cutting::DyadLeg;
 use crate::chain::machine::Held;
-use crate::model::names::Names;
 use crate::syntax::tree::{
     Expr, ExprKind, LetStatement, PointPlace, PointStatement, StatementKind,
 };
@@ -76,7 +74,7 @@ impl Writer<'_, '_> {
         let drive = self.bodies.drives[held.drive].0;
         let behind = statements.into_iter().fold(drive, usize::max);
         let mut named = |ending: &str, value: Expr| {
-            let name = format_ident!("{name}_{ending}", span = name.span());
+            let name = self.names.made(format!("{name}_{ending}"), "_", name.span());
             self.put(behind, StatementKind::Let(LetStatement { name: name.clone(), value }));
             let span = name.span().into();
             Expr { kind: ExprKind::Name(name), span }
@@ -114,12 +112,8 @@ impl Writer<'_, '_> {
     /// A name for the bar that nothing has.
     fn free_bar_name(&mut self, links: [usize; 2]) -> Ident {
         let [first, second] = links.map(|body| self.name(body));
-        let names = Names::collect(self.bodies.tree);
-        let mut name = format_ident!("{first}_{second}", span = first.span());
-        while names.kind(&name).is_some() {
-            name = format_ident!("{name}_bar", span = name.span());
-        }
-        self.links.hidden.push(name.clone());
+        let name = self.names.made(format!("{first}_{second}"), "_bar", first.span());
+        self.hide(name.clone(), &links);
         name
     }
 }

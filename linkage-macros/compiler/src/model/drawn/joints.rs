@@ -16,8 +16,10 @@ use crate::syntax::tree::Expr;
 pub(in crate::model) struct DrawnLinks {
     /// Every link that groups of the drawing make, whether drawn or hidden.
     pub made: Vec<Ident>,
-    /// Links that nobody has drawn, and unknowns.
-    pub hidden: Vec<Ident>,
+    /// All names that nobody has written.
+    pub names: Vec<Ident>,
+    /// Links and unknowns among them, and the links of the drawing that each stands for.
+    pub hidden: Vec<(Ident, Vec<Ident>)>,
     pub turned: Vec<TurnedFrame>,
     pub bars: Vec<BarFound>,
     pub pins: Vec<PinFound>,
@@ -67,6 +69,22 @@ impl DrawnLinks {
     fn slide_of(&self, link: &Ident) -> Option<&SlideFound> {
         self.slides.iter().find(|slide| slide.link == *link && slide.is_first)
     }
+}
+
+/// The names of links as users know them.
+pub(in crate::model) fn title_as_drawn<'n>(
+    scope: &Scope<'_>,
+    names: impl Iterator<Item = &'n Ident>,
+) -> String {
+    let hidden = scope.drawn.map_or(&[][..], |drawn| &drawn.hidden);
+    let mut known: Vec<String> = Vec::new();
+    for name in names {
+        match hidden.iter().find(|(hidden, _)| hidden == name) {
+            Some((_, links)) => known.extend(links.iter().map(ToString::to_string)),
+            None => known.push(name.to_string()),
+        }
+    }
+    known.join(", ")
 }
 
 /// True if a link of a drawing slides by its statement; `None` of a link that is declared as part of a group.

@@ -17,6 +17,7 @@ mod figures;
 mod followed;
 mod frames;
 mod framing;
+mod free_names;
 mod group_statement;
 mod held;
 mod incidences;
@@ -96,7 +97,8 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         asked = mechanism.dynamics.what_is_of_power(asked);
     }
     mechanism.dynamics.asked = ends::as_of_links(&cut.ends, asked);
-    mechanism.outputs.retain(|output| !cut.links.hidden.contains(&output.field));
+    let is_hidden = |field: &Ident| cut.links.hidden.iter().any(|(name, _)| name == field);
+    mechanism.outputs.retain(|output| !is_hidden(&output.field));
     for statement in &tree.statements {
         document(&mut mechanism, statement);
     }

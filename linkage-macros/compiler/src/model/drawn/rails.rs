@@ -1,7 +1,6 @@
 //! Guides in the statements of groups, and links that are driven along one.
 
 use proc_macro2::Ident;
-use quote::format_ident;
 
 use crate::syntax::tree::{
     BinaryOp, Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, GuideStatement, StatementKind,
@@ -38,7 +37,7 @@ impl Writer<'_, '_> {
             return guide.name.clone();
         }
         let known = self.name(joint.body);
-        let name = format_ident!("{}_on_{known}", guide.name, span = guide.name.span());
+        let name = self.names.made(format!("{}_on_{known}", guide.name), "_", guide.name.span());
         let frame = self.own_frame(joint.body);
         let pen = self.pen.at(guide.name.span());
         let frame = DrawnFrame { origin: self.beginning(&pen, joint.body, &frame), ..frame };

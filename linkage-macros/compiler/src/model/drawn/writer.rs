@@ -12,6 +12,7 @@ use super::bodies::Bodies;
 use super::ends::{self, RodEnd};
 use super::figures::{Figure, Pen};
 use super::frames::{DrawnFrame, Origin};
+use super::free_names::FreeNames;
 use super::group_statement::group_of;
 use super::is_point_of;
 use super::joints::DrawnLinks;
@@ -51,6 +52,7 @@ pub(super) struct Writer<'b, 't> {
     pub(super) searches: Vec<Sought>,
     /// The search whose statements are written, and behind which statement they stand.
     pub(super) searching: Option<(usize, usize)>,
+    pub(super) names: FreeNames,
     /// Links that groups have as bars between the first two pins of their statements.
     pub(super) bars: Vec<usize>,
     /// The links as groups make them.
@@ -80,6 +82,7 @@ impl<'b, 't> Writer<'b, 't> {
             written: Vec::new(),
             searches: Vec::new(),
             searching: None,
+            names: FreeNames::of(bodies.tree),
             bars: Vec::new(),
             links: DrawnLinks::default(),
             ends: Vec::new(),
@@ -96,6 +99,7 @@ impl<'b, 't> Writer<'b, 't> {
             mut written,
             searches,
             mut links,
+            names,
             ends,
             holds_links,
             replaced,
@@ -112,8 +116,10 @@ impl<'b, 't> Writer<'b, 't> {
         written.sort_by_key(|written| written.behind);
         let statements = sorted::ordered(written, &links.slides);
         let drawn = bodies.links.iter().filter(|link| !link.is_given);
-        links.made = drawn.map(|link| link.name).chain(&links.hidden).cloned().collect();
+        let hidden = links.hidden.iter().map(|(name, _)| name);
+        links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
         links.bars = bars;
+        links.names = names.made;
         links.turned = turns.directions();
         Translated { statements, links, searches, ends, holds_links, misplaced }
     }

@@ -150,7 +150,8 @@ pub(in crate::model) fn group(
         })
         .collect();
     let pin = pin(scope, docs, group, anatomy, id);
-    let (keyword, title) = (group.keyword.clone(), group.title());
+    let keyword = group.keyword.clone();
+    let title = joints::title_as_drawn(scope, group.legs.iter().map(|leg| &leg.link));
     scope.mechanism.groups.push(GroupName { keyword, title });
     let outer = outer_joints(scope, group, anatomy);
     let fields = fields::fields(scope, group, anatomy);

@@ -10,6 +10,7 @@ use crate::reach::turn::Range;
 use crate::syntax::tree::{self, Declaration, Expr, UnknownStatement};
 
 use crate::model::acting::Effort;
+use crate::model::drawn::joints;
 use crate::model::folding::shown_in_degrees;
 use crate::model::kinds::{KINDS, quantity_kind};
 use crate::model::mechanism::{
@@ -57,10 +58,10 @@ pub(in crate::model) fn unknown(
     };
     let id = UnknownId(scope.mechanism.unknowns.len() as u32);
     let group = declared::next_group(scope);
-    scope
-        .mechanism
-        .groups
-        .push(GroupName { keyword: Ident::new("unknown", name.span()), title: name.to_string() });
+    scope.mechanism.groups.push(GroupName {
+        keyword: Ident::new("unknown", name.span()),
+        title: joints::title_as_drawn(scope, std::iter::once(name)),
+    });
     let steps = [scope.mechanism.steps.len(); 2];
     // Nothing is solved by it: what has no `solve` is reported.
     let equation = Equation::Turn(AngleSum { links: Vec::new(), rest: Scalar::zero() });

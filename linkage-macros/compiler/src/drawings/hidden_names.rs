@@ -1,0 +1,78 @@
+//! Names for what a drawing does not name: none is taken from the declaration, and none shows in an error.
+
+use super::machine::{Machine, machine};
+
+fn of(statements: &str) -> Result<Machine, Vec<String>> {
+    machine(&format!("pub struct M {{ {statements} }}"))
+}
+
+const SHEAR: &str = "input x: length; ground A(0, 0), D(665.7mm, 0); guide floor through (0, 0) along 0deg;
+    pin B(-30mm, 70mm), C(560mm, -360mm), blade(500mm, -410mm);
+    link AB(A, B), BC(B, C, blade), DC(D, C), cross() on floor; guide way on cross through blade along 90deg;
+    link ride(blade) on way; drive cross.slide = x;";
+
+const KNEE: &str =
+    "input flexion: angle; ground A(0, 0), D(-35mm, 10mm); pin B(12mm, -70mm), C(-25mm, -62mm);
+    link front(A, B), rear(D, C), shank(B, C); drive shank.angle = 167.8deg - flexion;";
+
+/// The output is the angle that is drawn, and not the unknown of the search.
+#[test]
+fn an_output_may_have_any_name() {
+    for name in ["phi", "phi_traced", "phi_u", "psi", "ride_end", "BC_end", "way_on_ride"] {
+        let shear = of(&format!("{SHEAR} output {name} = AB.angle;"));
+        let shear = shear.unwrap_or_else(|told| panic!("{name}: {told:?}"));
+        assert_eq!(shear.mechanism.unknowns.len(), 1);
+        let drawn = shear.mechanism.drawn.clone().expect("the drive determines it")[0];
+        let angle = shear.answers("position", &[[drawn, 0.0, 0.0]]).angle(name);
+        assert!((angle - 70_f64.atan2(-30.0)).abs() < 1e-12, "{name}: {angle}");
+    }
+}
+
+/// A name that nothing declares is none of those that the compiler has made, and none of these is proposed.
+#[test]
+fn no_expression_reads_what_nobody_has_named() {
+    for name in ["phi", "psi", "phi_traced", "front_end"] {
+        let told = of(&format!("{KNEE} output twice = 2 * {name};")).err().expect("it is unknown");
+        let [told] = &told[..] else { panic!("{told:?}") };
+        assert!(
+            told.starts_with(&format!("no input, parameter or `let` named `{name}`")),
+            "{told}"
+        );
+        assert!(!told.contains("similar"), "{told}");
+    }
+}
+
+/// A failure of a call is told by links of the drawing.
+#[test]
+fn errors_name_links_that_are_drawn() {
+    let knee = of(KNEE).unwrap_or_else(|told| panic!("{told:?}")).mechanism;
+    assert_eq!(
+        knee.titles()[..knee.groups.len()],
+        ["rear, shank, front", "rear", "shank", "front"]
+    );
+    assert_eq!(knee.title_of_unknown(&knee.unknowns[0]), "rear, shank, front");
+    // A bar stands for two links that a drive holds together.
+    let held = of(
+        "input u, v: angle; ground A(0, 0), D(4m, 0), F(1m, 4m); pin B(0.5m, 1m), C(2m, 2.2m), E(3.5m, 1.5m);
+         link AB(A, B), BC(B, C), CE(C, E), DE(D, E); drive CE.angle - BC.angle = u; drive AB.angle = v;",
+    );
+    let held = held.unwrap_or_else(|told| panic!("{told:?}")).mechanism;
+    let titles = held.titles();
+    assert!(titles[..held.groups.len()].contains(&"BC, CE, DE".to_string()), "{titles:?}");
+    for title in &titles[..held.groups.len()] {
+        for name in title.split(", ") {
+            assert!(["AB", "BC", "CE", "DE"].contains(&name), "{title}");
+        }
+    }
+}
+
+/// Beyond a dead point the value that an unknown is searched beside is still a number, so that a search says that it
+/// finds no root. An output of the last link is then what is left of the search: a number as well.
+#[test]
+fn a_traced_unknown_is_a_number_in_every_pose() {
+    let knee = of(&format!("{KNEE} output rear.angle;")).unwrap_or_else(|told| panic!("{told:?}"));
+    for flexion in [-3.0, -1.7, -1.0, 0.0, 0.05, 1.0, 3.0] {
+        let angle = knee.answers("position", &[[flexion, 0.0, 0.0]]).angle("rear.angle");
+        assert!(angle.is_finite(), "at {flexion}");
+    }
+}
