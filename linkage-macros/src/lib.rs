@@ -27,7 +27,7 @@ use proc_macro::TokenStream;
 ///
 /// The code relies on nothing of the module it stands in, and meets no name of the user's, as long
 /// as none in scope ends in an underscore: such names are the generated code's own.
-/// `examples/four_bar_expanded.rs` in the repository shows all of it for one mechanism.
+/// `linkage export rust` prints all of it.
 #[proc_macro]
 pub fn mechanism(source: TokenStream) -> TokenStream {
     let mut options = Options::default();

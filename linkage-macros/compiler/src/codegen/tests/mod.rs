@@ -10,7 +10,6 @@ mod c_printed;
 mod c_program;
 mod c_roots;
 mod c_run_time;
-mod expanded;
 mod fixture;
 mod groups;
 mod guards;
