@@ -15,11 +15,9 @@
 //! | `schedule` | the order of the statements |
 //! | `locals`, `constants`, `nesting` | the names of values, of constants, and which values have none |
 //! | `places` | where arguments are read |
-//! | `used` | what one path of a routine reads |
-//! | `bound_once` | what a language without shadowing binds |
+//! | `used` | what one path of a routine reads, and what a language without shadowing binds |
 
 pub(crate) mod apart;
-mod bound_once;
 mod build;
 mod checks;
 mod constants;
@@ -38,8 +36,8 @@ mod unique_root;
 pub(crate) mod used;
 mod witnesses;
 
-pub(crate) use bound_once::bound_once;
 pub(crate) use build::{APPLIED, PLACED, lower, lower_placing};
 pub(crate) use plan::stands_on;
 pub(crate) use routine::label;
 pub(crate) use searches::TRIAL;
+pub(crate) use used::bound_once;

@@ -1,7 +1,7 @@
 //! The values that one path of a routine reads. The fast path compares a condition's value, the slow path looks
 //! at its operands: a language that writes a routine once for each path writes for each what it reads.
 
-use super::routine::{Instruction, Lowered, Reading, Routine};
+use super::routine::{Instruction, Lowered, Reading, Routine, Stage};
 use crate::ir::graph::{Id, Node};
 use crate::ir::hash::Set;
 
@@ -60,6 +60,13 @@ impl Used {
     pub(crate) fn reads_constant(&self, constant: Node) -> bool {
         self.constants.contains(&constant)
     }
+}
+
+/// The statements of each stage for a language in which a name is bound once.
+pub(crate) fn bound_once(stages: &[Stage]) -> Vec<Vec<Instruction>> {
+    let mut stages: Vec<_> = stages.iter().map(|stage| stage.statements.clone()).collect();
+    bind_once(&mut stages);
+    stages
 }
 
 /// A stage that needs the sine of an angle whose cosine an earlier one has bound binds both: here the sine
