@@ -275,8 +275,8 @@ macro_rules! both {
     };
 }
 
-include!("table.rs");
-include!("machines_table.rs");
+include!(concat!(env!("OUT_DIR"), "/bars.rs"));
+include!(concat!(env!("OUT_DIR"), "/machines.rs"));
 
 pub(crate) fn every(visit: &mut impl Visit) {
     bars(visit);

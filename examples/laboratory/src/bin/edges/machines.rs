@@ -2,7 +2,7 @@
 
 use linkage_core::{Record, Series, mechanism};
 
-use crate::draw::map;
+use crate::map::map;
 use crate::race::{Pair, Run, calls, swept};
 
 /// Poses of a round, few enough for the first cache.
@@ -195,4 +195,4 @@ machine! { named: crank 0.1016, D(0.3048, 0.0), lengths 0.254 0.1778, P(0.15, 0.
 long 2 D(4, 0) lengths 2 2.5, ram 0.08 0.25,
 hand 0.3 0.4 0.3 0.4 E(0.2, 0.0), map (0.1, 0.4) 0.08 0.65 }
 
-include!("table.rs");
+include!(concat!(env!("OUT_DIR"), "/edges.rs"));

@@ -7,11 +7,10 @@
 //! ```
 //!
 //! Both sides of a ratio are timed in turn; reported are the median over the rounds for the named machines,
-//! and for ten that are drawn the median and the worst of them. `edges ROUNDS` measures that many rounds,
-//! `edges draw` writes the table of the drawn machines.
+//! and for ten that `build/edges.rs` draws the median and the worst of them. `edges ROUNDS` measures that many rounds.
 
-mod draw;
 mod machines;
+mod map;
 mod race;
 
 use race::median;
@@ -19,12 +18,7 @@ use race::median;
 const ROUNDS: usize = 501;
 
 fn main() {
-    let argument = std::env::args().nth(1);
-    if argument.as_deref() == Some("draw") {
-        print!("{}", draw::rows(10));
-        return;
-    }
-    let rounds = argument.and_then(|rounds| rounds.parse().ok()).unwrap_or(ROUNDS);
+    let rounds = std::env::args().nth(1).and_then(|rounds| rounds.parse().ok()).unwrap_or(ROUNDS);
     let mut machines = machines::all();
     // Friction is measured on one machine, not on those that are drawn.
     machines[0].1.extend(machines::rubbing::pairs());

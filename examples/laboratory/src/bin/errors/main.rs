@@ -1,5 +1,5 @@
 //! Errors with constant dimensions and with the same ones as parameters, on random poses of the mechanisms that
-//! `draw_mechanisms` draws for this program: of every group, behind cranks and between them, next to limits to the
+//! `build/twins.rs` draws: of every group, behind cranks and between them, next to limits to the
 //! last place, next to quarter turns and after thousands of turns, in both widths.
 //!
 //! ```text

@@ -127,22 +127,16 @@ macro_rules! way {
     };
 }
 
-/// Gathers those of a table.
+/// Gathers all of them.
 macro_rules! twins {
-    ($table:ident: $($name:ident)*) => {
-        fn $table() -> [Twin; 0 $(+ { let _ = stringify!($name); 1 })*] {
-            [$($name::TWIN),*]
+    ($($name:ident)*) => {
+        pub(crate) fn all() -> Vec<Twin> {
+            vec![$($name::TWIN),*]
         }
     };
 }
 
-include!("cranks.rs");
-include!("loops.rs");
-include!("slides.rs");
-
-pub(crate) fn all() -> Vec<Twin> {
-    cranks().into_iter().chain(loops()).chain(slides()).collect()
-}
+include!(concat!(env!("OUT_DIR"), "/twins.rs"));
 
 /// The answers of every way in one width, as numbers that hold them exactly.
 pub(crate) fn answers<T: Real, const N: usize>(

@@ -1,11 +1,11 @@
-//! Ten machines with sliding joints or two inputs, as `draw_mechanisms` draws its thirty: no
-//! transmission angle below 25°, nor an angle between a slot and its rail.
+//! Ten machines with sliding joints or two inputs, drawn as the thirty are: no transmission angle below 25°, nor an
+//! angle between a slot and its rail.
 
 mod parts;
 
 use core::f64::consts::PI;
 
-use linkage_tests::random::Random;
+use crate::random::Random;
 
 use parts::{Rail, Rod, direction, sense, sign};
 
@@ -47,10 +47,10 @@ pub(crate) fn table() -> String {
                 break row;
             }
         };
-        text += &(row.text(&mut random) + "\n");
+        text += &row.text(&mut random);
         names.push(row.name);
     }
-    text + &format!("every! {{ machines:\n    {}\n}}", names.join("\n    "))
+    text + &super::every("machines", &names)
 }
 
 impl Row {

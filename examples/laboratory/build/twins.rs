@@ -5,7 +5,7 @@
 
 mod sliding;
 
-use linkage_tests::random::Random;
+use crate::random::Random;
 
 /// A declaration: inputs with their ranges, dimensions by name, and statements.
 struct Twin {
@@ -25,8 +25,7 @@ struct Loop {
     bars: [f64; 2],
 }
 
-/// One of the tables: `cranks`, `loops` or `slides`.
-pub(crate) fn table(part: &str) -> String {
+pub(crate) fn table() -> String {
     let mut random = Random::new(21);
     let mut twins = Vec::new();
     for index in 0..2 * KINDS {
@@ -47,18 +46,20 @@ pub(crate) fn table(part: &str) -> String {
         twins.push(sliding::yoke(&mut random, kind));
     }
     let names = (1..).map(|number| format!("twin_{number:02}"));
-    let named = twins.iter().zip(names).filter(|(twin, _)| part == self::part(twin));
-    let (rows, names): (Vec<_>, Vec<_>) =
-        named.map(|(twin, name)| (row(&name, twin) + "\n", name)).unzip();
-    rows.concat() + &format!("twins! {{ {part}:\n    {}\n}}", names.join("\n    "))
+    let mut named: Vec<_> = names.zip(&twins).collect();
+    // The poses of a mechanism are drawn by its place among all.
+    named.sort_by_key(|(_, twin)| place_of(twin.group));
+    let rows: String = named.iter().map(|(name, twin)| row(name, twin)).collect();
+    let names: Vec<_> = named.iter().map(|(name, _)| &name[..]).collect();
+    rows + &format!("twins! {{ {} }}\n", names.join(" "))
 }
 
-/// The table that a mechanism stands in.
-fn part(twin: &Twin) -> &'static str {
-    match twin.group {
-        "rrr behind a crank" | "rrr between cranks" => "cranks",
-        group if group.starts_with("rrr") => "loops",
-        _ => "slides",
+/// Bars behind cranks come first, then other bars, then slides.
+fn place_of(group: &str) -> usize {
+    match group {
+        "rrr behind a crank" | "rrr between cranks" => 0,
+        group if group.starts_with("rrr") => 1,
+        _ => 2,
     }
 }
 
@@ -71,26 +72,10 @@ fn row(name: &str, Twin { group, inputs, params, statements }: &Twin) -> String 
     let params: Vec<_> =
         params.iter().map(|(name, value)| format!("({name} = {})", exact(*value))).collect();
     format!(
-        "twin! {{ {name}, {group:?}, [{}],\n    [{}],\n    {{ {statements} }} }}\n",
+        "twin! {{ {name}, {group:?}, [{}], [{}], {{ {statements} }} }}\n",
         inputs.join(", "),
-        wrapped(&params)
+        params.join(" ")
     )
-}
-
-/// As many to a line as it holds.
-fn wrapped(params: &[String]) -> String {
-    let (mut text, mut width) = (String::new(), 0);
-    for param in params {
-        let is_first = text.is_empty();
-        width += param.len() + 1;
-        if width > 100 {
-            (text, width) = (text + "\n     ", param.len());
-        } else if !is_first {
-            text.push(' ');
-        }
-        text += param;
-    }
-    text
 }
 
 /// All digits of a number.

@@ -1,6 +1,6 @@
 //! Groups with sliding joints.
 
-use linkage_tests::random::Random;
+use crate::random::Random;
 
 use super::{Twin, at, pivots, place};
 

@@ -1,6 +1,6 @@
 //! The common parts of the machines: rails, rods, and words of their declarations.
 
-use linkage_tests::random::Random;
+use crate::random::Random;
 
 use crate::{is, length};
 

@@ -1,7 +1,12 @@
-//! Draws the machines of the table: a four-bar with a coupler point, the same bars behind a crank so long
+//! Draws the machines of `edges`: a four-bar with a coupler point, the same bars behind a crank so long
 //! that some of its turn is out of reach, and a five-bar whose hand is moved over a map.
 
-use linkage_tests::random::Random;
+use crate::random::Random;
+
+#[path = "../src/bin/edges/map.rs"]
+mod map;
+
+use map::map;
 
 struct Dyad {
     from: [f64; 2],
@@ -29,20 +34,11 @@ fn turn(crank: f64) -> impl Iterator<Item = [f64; 2]> {
     })
 }
 
-/// The points of a square map.
-pub(crate) fn map([x, y]: [f64; 2], half: f64, across: u32) -> impl Iterator<Item = [f64; 2]> {
-    let at = move |step: u32| half * (2.0 * f64::from(step) / f64::from(across - 1) - 1.0);
-    (0..across * across).map(move |nth| [x + at(nth % across), y + at(nth / across)])
-}
-
-pub(crate) fn rows(count: usize) -> String {
+pub(crate) fn table() -> String {
     let mut random = Random::new(43);
-    let mut rows = String::from("// Written by `edges draw`.\n");
-    for nth in 1..=count {
-        rows += &row(&mut random, nth);
-    }
-    let names: Vec<_> = (1..=count).map(|nth| format!("drawn_{nth:02}")).collect();
-    rows + &format!("\nmachines! {{ named {} }}\n", names.join(" "))
+    let rows: String = (1..=10).map(|nth| row(&mut random, nth)).collect();
+    let names: Vec<_> = (1..=10).map(|nth| format!("drawn_{nth:02}")).collect();
+    rows + &format!("machines! {{ named {} }}\n", names.join(" "))
 }
 
 fn row(random: &mut Random, nth: usize) -> String {
@@ -60,8 +56,8 @@ fn row(random: &mut Random, nth: usize) -> String {
     let point = [length(random, 0.02, 0.3), length(random, -0.15, 0.15)];
     let ([x, y], near, far, arms, pivot) = hand(random);
     format!(
-        "\nmachine! {{ drawn_{nth:02}: crank {crank:?}, D({:?}, {:?}), lengths {l:?} {m:?}, \
-         P({:?}, {:?}), rise {:?},\n    long {long:?} D({:?}, {:?}) lengths {l:?} {m:?}, ram {crank:?} {:?},\n    \
+        "machine! {{ drawn_{nth:02}: crank {crank:?}, D({:?}, {:?}), lengths {l:?} {m:?}, \
+         P({:?}, {:?}), rise {:?}, long {long:?} D({:?}, {:?}) lengths {l:?} {m:?}, ram {crank:?} {:?}, \
          hand {:?} {:?} {:?} {:?} E({:?}, {:?}), map ({x:?}, {y:?}) {near:?} {far:?} }}\n",
         rocker.from[0],
         rocker.from[1],
@@ -90,9 +86,8 @@ fn hand(random: &mut Random) -> Hand {
         let arms = [0; 2].map(|_| [length(random, 0.2, 0.4), length(random, 0.3, 0.6)]);
         let pivot = [length(random, 0.05, 0.3), length(random, -0.05, 0.05)];
         let middle = [length(random, -0.1, 0.3), length(random, 0.25, 0.6)];
-        let dyads = [[0.0; 2], pivot].map(|from| from);
         let dyads =
-            [Dyad { from: dyads[0], lengths: arms[0] }, Dyad { from: dyads[1], lengths: arms[1] }];
+            [Dyad { from: [0.0; 2], lengths: arms[0] }, Dyad { from: pivot, lengths: arms[1] }];
         let reached = |half| {
             let is_reached = |&at: &[f64; 2]| dyads.iter().all(|arm| arm.clearance(at) > 0.0);
             map(middle, half, 64).filter(is_reached).count() as f64 / 4096.0
@@ -101,8 +96,8 @@ fn hand(random: &mut Random) -> Hand {
         if reached(near) < 1.0 {
             continue;
         }
-        let far = (20..3000).map(|step| f64::from(step) / 1000.0);
-        if let Some(far) = far.into_iter().find(|&half| reached(half) < 0.44) {
+        let mut far = (20..3000).map(|step| f64::from(step) / 1000.0);
+        if let Some(far) = far.find(|&half| reached(half) < 0.44) {
             return (middle, near, far, arms, pivot);
         }
     }

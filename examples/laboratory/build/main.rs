@@ -1,21 +1,25 @@
-//! Draws the mechanisms that the generated solvers are measured on against hand forms: twenty
-//! four-bars and ten six-bars, their dimensions, points, modes and outputs, from one fixed seed.
+//! Draws the mechanisms on which the programs of this package measure, each kind from a fixed seed, and writes them
+//! as tables that the programs include:
 //!
-//! ```text
-//! cargo run -p laboratory --bin draw_mechanisms > examples/laboratory/src/bin/against_hand/table.rs
-//! ```
-//!
-//! `draw_mechanisms machines` writes `machines_table.rs` beside it: ten with sliding joints or two inputs.
-//! `draw_mechanisms cranks`, `loops` and `slides` write the tables of `errors` instead
-//! (`examples/laboratory/src/bin/errors/cranks.rs` and so on).
+//! - `bars.rs` and `machines.rs` for `against_hand`: twenty four-bars and ten six-bars, their dimensions, points,
+//!   modes and outputs, and ten machines with sliding joints or two inputs;
+//! - `twins.rs` for `errors`, mechanisms of one group or two;
+//! - `edges.rs` for `edges`.
 //!
 //! Every crank of the thirty turns fully, and no dyad comes nearer to its limit than a transmission angle of
 //! 25°, as a designer would have it. Half of the rockers stand on the crank's x axis.
 
+mod edges;
 mod machines;
+#[allow(unreachable_pub, reason = "the tests share it")]
+#[path = "../../../tests/src/random.rs"]
+mod random;
 mod twins;
 
-use linkage_tests::random::Random;
+use std::path::Path;
+use std::{env, fs};
+
+use random::Random;
 
 /// One of the machines, in m.
 struct FourBar {
@@ -36,14 +40,24 @@ struct Second {
 }
 
 fn main() {
-    if let Some(part) = std::env::args().nth(1) {
-        println!("// Written by `draw_mechanisms {part}` of this package, which says how.\n");
-        println!("{}", if part == "machines" { machines::table() } else { twins::table(&part) });
-        return;
+    println!("cargo::rerun-if-changed=build");
+    println!("cargo::rerun-if-changed=../../tests/src/random.rs");
+    let folder = env::var_os("OUT_DIR").expect("cargo sets it");
+    let tables = [
+        ("bars.rs", bars_table()),
+        ("machines.rs", machines::table()),
+        ("twins.rs", twins::table()),
+        ("edges.rs", edges::table()),
+    ];
+    for (name, table) in tables {
+        fs::write(Path::new(&folder).join(name), table).expect("the folder can be written");
     }
-    println!("// Written by `draw_mechanisms` of this package, which says how.\n");
+}
+
+/// Twenty four-bars and ten six-bars.
+fn bars_table() -> String {
     let mut random = Random::new(20);
-    let mut names = Vec::new();
+    let (mut rows, mut names) = (String::new(), Vec::new());
     for index in 1..=30 {
         let (name, machine, second) = if index <= 20 {
             (format!("four_bar_{index:02}"), four_bar(&mut random), None)
@@ -51,10 +65,16 @@ fn main() {
             let (machine, second) = six_bar(&mut random, index % 3);
             (format!("six_bar_{:02}", index - 20), machine, Some(second))
         };
-        println!("{}", row(&mut random, &name, &machine, second.as_ref()));
+        rows += &row(&mut random, &name, &machine, second.as_ref());
         names.push(name);
     }
-    println!("every! {{ bars:\n    {}\n}}", names.join("\n    "));
+    rows + &every("bars", &names)
+}
+
+/// The call of the macro that gathers a table.
+fn every(table: &str, names: &[impl AsRef<str>]) -> String {
+    let names: Vec<_> = names.iter().map(AsRef::as_ref).collect();
+    format!("every! {{ {table}: {} }}\n", names.join(" "))
 }
 
 /// A number of millimetres.
@@ -163,19 +183,19 @@ fn mode(is_left: bool) -> &'static str {
 
 fn row(random: &mut Random, name: &str, machine: &FourBar, second: Option<&Second>) -> String {
     let FourBar { crank, pivot: [gx, gy], lengths: [l2, l3], is_left, point: [u, v] } = machine;
-    let mut row = format!("drawn! {{ {name}: crank {crank:?}, D({gx:?}, {gy:?}),\n");
-    row += &format!("    lengths {l2:?} {l3:?} {}, P({u:?}, {v:?}),\n", mode(*is_left));
+    let mut row = format!("drawn! {{ {name}: crank {crank:?}, D({gx:?}, {gy:?}), ");
+    row += &format!("lengths {l2:?} {l3:?} {}, P({u:?}, {v:?}), ", mode(*is_left));
     // A six-bar always has an output of its second loop.
     let (mut points, mut links) = (vec!["C", "P"], vec!["BC", "DC"]);
     let mut asked = Vec::new();
     if let Some(Second { joints: [from, to], q, f, lengths: [l4, l5], is_left }) = second {
-        row += &format!("    Q({:?}, {:?}), F({:?}, {:?}), ", q[0], q[1], f[0], f[1]);
-        row += &format!("second {from} {to} lengths {l4:?} {l5:?} {},\n", mode(*is_left));
+        row += &format!("Q({:?}, {:?}), F({:?}, {:?}), ", q[0], q[1], f[0], f[1]);
+        row += &format!("second {from} {to} lengths {l4:?} {l5:?} {}, ", mode(*is_left));
         asked.push("E");
         links.extend(["XE", "YE"]);
     }
     points = some(random, &points);
     points.extend(asked);
     links = some(random, &links);
-    row + &format!("    output [{}] [{}] }}\n", points.join(" "), links.join(" "))
+    row + &format!("output [{}] [{}] }}\n", points.join(" "), links.join(" "))
 }
