@@ -4,9 +4,7 @@
 //! round. Reported is the median over the rounds of a way's time over that of the position in the
 //! same round, so that what else the machine does cancels out.
 
-use std::hint::black_box;
-use std::time::Instant;
-
+use laboratory::race::{Race, calls};
 use linkage_core::nalgebra::SVector;
 use linkage_core::num_dual::{Derivative, Dual64, DualSVec};
 use linkage_core::{Real, Scalar, SolveError, differentiate_twice, mechanism};
@@ -65,7 +63,7 @@ mechanism! {
 }
 
 /// Inputs of one round.
-const INPUTS: usize = 256;
+const INPUTS: u32 = 256;
 
 const ROUNDS: usize = 400;
 
@@ -73,36 +71,20 @@ const ROUNDS: usize = 400;
 const STEP: f64 = 6e-6;
 
 /// One way: a name, and what it sums up of its results at one input.
-type Way<'a> = (&'static str, Box<dyn Fn(f64) -> Result<f64, SolveError> + 'a>);
+type Way = (&'static str, Box<dyn Fn(f64) -> Result<f64, SolveError>>);
 
 /// Runs the ways in turn and prints their times over the first one's.
-fn compare(title: &str, ways: &[Way<'_>]) {
-    let mut times = vec![Vec::with_capacity(ROUNDS); ways.len()];
-    for round in 0..ROUNDS {
-        // Each round begins with another way: none is always behind the same one.
-        for turn in 0..ways.len() {
-            let place = (round + turn) % ways.len();
-            let way = &ways[place].1;
-            let begun = Instant::now();
-            for input in 0..INPUTS {
-                let input = black_box(0.02 * input as f64);
-                let _ = black_box(way(input));
-            }
-            times[place].push(begun.elapsed().as_secs_f64() / INPUTS as f64);
-        }
+fn compare<const WAYS: usize>(title: &str, ways: [Way; WAYS]) {
+    let mut race = Race::default();
+    let inputs: Vec<f64> = (0..INPUTS).map(|input| 0.02 * f64::from(input)).collect();
+    for (name, way) in ways {
+        assert!(way(0.5).is_ok(), "{title}: {name}");
+        race.enter(name, calls(inputs.clone(), way));
     }
     println!("{title}");
-    for (place, (name, way)) in ways.iter().enumerate() {
-        assert!(way(0.5).is_ok(), "{title}: {name}");
-        let rounds = times[place].iter().zip(&times[0]);
-        let ratio = median(rounds.map(|(time, position)| time / position).collect());
-        println!("  {name:42} {ratio:6.2}  {:8.1} ns", 1e9 * median(times[place].clone()));
+    for timing in race.run(ROUNDS, |_| {}) {
+        println!("  {:42} {:6.2}  {:8.1} ns", timing.name, timing.ratio, timing.nanoseconds);
     }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 /// The sum of all slopes of the rows by N numbers, each by a central difference.
@@ -170,28 +152,28 @@ fn four_bar() {
     let lengths = [crank, coupler, rocker, base];
     compare(
         "four-bar: 3 outputs, 1 input, 4 parameters",
-        &[
+        [
             (
                 "position, its angle included",
-                Box::new(|t| Ok(bars.position(t)?.rows().iter().sum())),
+                Box::new(move |t| Ok(bars.position(t)?.rows().iter().sum())),
             ),
-            ("velocity", Box::new(|t| Ok(bars.velocity(t, 1.0)?.rows().iter().sum()))),
-            ("coefficients", Box::new(|t| Ok(bars.coefficients(t)?.iter().flatten().sum()))),
-            ("jacobian", Box::new(|t| Ok(bars.jacobian(t)?.sum()))),
+            ("velocity", Box::new(move |t| Ok(bars.velocity(t, 1.0)?.rows().iter().sum()))),
+            ("coefficients", Box::new(move |t| Ok(bars.coefficients(t)?.iter().flatten().sum()))),
+            ("jacobian", Box::new(move |t| Ok(bars.jacobian(t)?.sum()))),
             (
                 "  with Dual64",
-                Box::new(|t| {
+                Box::new(move |t| {
                     by_columns::<Dual64, _, _>([t], |[t]| Ok(bars.lift().position(t)?.rows()))
                 }),
             ),
             (
                 "  by central differences",
-                Box::new(|t| by_differences([t], |[t]| Ok(bars.position(t)?.rows()))),
+                Box::new(move |t| by_differences([t], |[t]| Ok(bars.position(t)?.rows()))),
             ),
-            ("sensitivity", Box::new(|t| Ok(bars.sensitivity(t)?.sum()))),
+            ("sensitivity", Box::new(move |t| Ok(bars.sensitivity(t)?.sum()))),
             (
                 "  with Dual64, column by column",
-                Box::new(|t| {
+                Box::new(move |t| {
                     by_columns::<Dual64, _, _>(lengths, |[crank, coupler, rocker, base]| {
                         let bars = FourBar { crank, coupler, rocker, base };
                         Ok(bars.position(t.into())?.rows())
@@ -200,7 +182,7 @@ fn four_bar() {
             ),
             (
                 "  by central differences",
-                Box::new(|t| {
+                Box::new(move |t| {
                     by_differences(lengths, |[crank, coupler, rocker, base]| {
                         Ok(FourBar { crank, coupler, rocker, base }.position(t)?.rows())
                     })
@@ -208,7 +190,7 @@ fn four_bar() {
             ),
             (
                 "P.x twice, by input and parameters",
-                Box::new(|t| {
+                Box::new(move |t| {
                     let at = [t, crank, coupler, rocker, base];
                     let found = differentiate_twice(at, |[t, crank, coupler, rocker, base]| {
                         Ok(FourBar { crank, coupler, rocker, base }.position(t)?.P.x)
@@ -225,22 +207,25 @@ fn arm() {
     let at = |t: f64| [1.2 + 0.15 * t, 0.3];
     compare(
         "arm: 2 outputs, 2 inputs",
-        &[
+        [
             (
                 "position, its angles included",
-                Box::new(|t| Ok(arm.position(at(t))?.rows().iter().sum())),
+                Box::new(move |t| Ok(arm.position(at(t))?.rows().iter().sum())),
             ),
-            ("coefficients", Box::new(|t| Ok(arm.coefficients(at(t))?.iter().flatten().sum()))),
-            ("jacobian", Box::new(|t| Ok(arm.jacobian(at(t))?.sum()))),
+            (
+                "coefficients",
+                Box::new(move |t| Ok(arm.coefficients(at(t))?.iter().flatten().sum())),
+            ),
+            ("jacobian", Box::new(move |t| Ok(arm.jacobian(at(t))?.sum()))),
             (
                 "  with Dual64, column by column",
-                Box::new(|t| {
+                Box::new(move |t| {
                     by_columns::<Dual64, _, _>(at(t), |at| Ok(arm.lift().position(at)?.rows()))
                 }),
             ),
             (
                 "  by central differences",
-                Box::new(|t| by_differences(at(t), |at| Ok(arm.position(at)?.rows()))),
+                Box::new(move |t| by_differences(at(t), |at| Ok(arm.position(at)?.rows()))),
             ),
         ],
     );
@@ -252,17 +237,17 @@ fn six_bar() {
     let dimensions = [crank, coupler, rocker, ex, ey, link, lever, zero];
     compare(
         "six-bar: 5 outputs, 1 input, 8 parameters",
-        &[
+        [
             (
                 "position, its angle included",
-                Box::new(|t| Ok(bars.position(t)?.rows().iter().sum())),
+                Box::new(move |t| Ok(bars.position(t)?.rows().iter().sum())),
             ),
-            ("coefficients", Box::new(|t| Ok(bars.coefficients(t)?.iter().flatten().sum()))),
-            ("jacobian", Box::new(|t| Ok(bars.jacobian(t)?.sum()))),
-            ("sensitivity", Box::new(|t| Ok(bars.sensitivity(t)?.sum()))),
+            ("coefficients", Box::new(move |t| Ok(bars.coefficients(t)?.iter().flatten().sum()))),
+            ("jacobian", Box::new(move |t| Ok(bars.jacobian(t)?.sum()))),
+            ("sensitivity", Box::new(move |t| Ok(bars.sensitivity(t)?.sum()))),
             (
                 "  with Dual64, column by column",
-                Box::new(|t| {
+                Box::new(move |t| {
                     by_columns::<Dual64, _, _>(
                         dimensions,
                         |[crank, coupler, rocker, ex, ey, link, lever, zero]| {
@@ -274,7 +259,7 @@ fn six_bar() {
             ),
             (
                 "  with DualSVec64<1>, column by column",
-                Box::new(|t| {
+                Box::new(move |t| {
                     by_columns::<DualSVec<f64, 1>, _, _>(
                         dimensions,
                         |[crank, coupler, rocker, ex, ey, link, lever, zero]| {
@@ -286,7 +271,7 @@ fn six_bar() {
             ),
             (
                 "  by central differences",
-                Box::new(|t| {
+                Box::new(move |t| {
                     by_differences(
                         dimensions,
                         |[crank, coupler, rocker, ex, ey, link, lever, zero]| {

@@ -7,9 +7,9 @@
 //! same round, so that what else the machine does cancels out.
 
 use std::hint::black_box;
-use std::time::Instant;
 
-use linkage_core::{AngularAcceleration, AngularVelocity, Direction, mechanism};
+use laboratory::race::{Race, Run, angles, at_once, calls, chained, swept};
+use linkage_core::{Record, mechanism};
 
 mechanism! {
     /// A crank, a coupler and a rocker.
@@ -31,108 +31,50 @@ const ANGLES: usize = 4096;
 
 const ROUNDS: usize = 400;
 
-/// Calls an entry point at every angle.
-type Calls<'a> = Box<dyn FnMut(&[f64]) + 'a>;
+const LENGTHS: &str = "slices of one length";
 
 /// Runs both in turn and prints their times, and the second's over the first's.
-fn compare(title: &str, angles: &[f64], mut calls: [Calls<'_>; 2]) {
-    let mut times = [const { Vec::new() }; 2];
-    for round in 0..ROUNDS {
-        // Each round begins with another way: none is always behind the same one.
-        for turn in 0..2 {
-            let place = (round + turn) % 2;
-            let begun = Instant::now();
-            calls[place](black_box(angles));
-            times[place].push(begun.elapsed().as_secs_f64() / angles.len() as f64);
-        }
-    }
-    let ratios = times[1].iter().zip(&times[0]).map(|(own, motion)| own / motion);
-    let ratio = median(ratios.collect());
-    let [motion, own] = times.map(|times| 1e9 * median(times));
-    println!("{title:34} {motion:8.1} ns {own:8.1} ns   {ratio:5.2}");
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
-/// Angles all over a turn, in no order: multiples of the golden angle.
-fn angles() -> Vec<f64> {
-    (0..ANGLES).map(|k| (k as f64 * 2.399_963_229_728_653) % std::f64::consts::TAU).collect()
+fn compare(title: &str, [motion, forward]: [Run; 2]) {
+    let mut race = Race::default();
+    race.enter("motion", motion);
+    race.enter("forward", forward);
+    let times = race.run(ROUNDS, |_| {});
+    let [motion, forward] = [0, 1].map(|way| times[way].nanoseconds);
+    println!("{title:34} {motion:8.1} ns {forward:8.1} ns   {:5.2}", times[1].ratio);
 }
 
 fn main() {
-    let (bars, angles) = (FourBar::new(), angles());
-    let given = black_box([10.0, 1.0, 0.3]);
+    let (bars, angles) = (FourBar::new(), angles().take(ANGLES).collect::<Vec<f64>>());
+    let [rate, second, drive] = black_box([10.0, 1.0, 0.3]);
     println!("{:34} {:>11} {:>11}   ratio", "time of a call", "motion", "forward");
-    alone(&bars, &angles, given);
-    sweeps(&bars, &angles, given);
-    chained(&bars, &angles, given);
-}
-
-/// Calls that do not wait for each other.
-fn alone(bars: &FourBar, angles: &[f64], [rate, second, drive]: [f64; 3]) {
-    let motion = |angles: &[f64]| {
-        for &theta in angles {
-            let _ = black_box(bars.motion(theta, rate, second));
-        }
+    let motion = move |theta| bars.motion(theta, rate, second);
+    let forward = move |theta| bars.forward_dynamics(theta, rate, drive);
+    compare(
+        "throughput, call by call",
+        [calls(angles.clone(), motion), calls(angles.clone(), forward)],
+    );
+    compare("throughput, in a sweep", sweeps(bars, &angles, [rate, second, drive]));
+    let alpha = |motion: &Result<FourBarMotion<f64>, _>| {
+        motion.as_ref().map_or(0.0, |motion| motion.acceleration.DC.alpha)
     };
-    let forward = |angles: &[f64]| {
-        for &theta in angles {
-            let _ = black_box(bars.forward_dynamics(theta, rate, drive));
-        }
-    };
-    compare("throughput, call by call", angles, [Box::new(motion), Box::new(forward)]);
-}
-
-/// Calls of which each waits for the one before it, whose result it is given in a place that changes
-/// nothing.
-fn chained(bars: &FourBar, angles: &[f64], [rate, second, drive]: [f64; 3]) {
-    let motion = |angles: &[f64]| {
-        let last = angles.iter().fold(0.0, |found, theta| {
-            let motion = bars.motion(theta + 1e-300 * found, rate, second);
-            motion.map_or(0.0, |motion| motion.acceleration.DC.alpha)
-        });
-        black_box(last);
-    };
-    let forward = |angles: &[f64]| {
-        let last = angles.iter().fold(0.0, |found, theta| {
-            bars.forward_dynamics(theta + 1e-300 * found, rate, drive).unwrap_or(0.0)
-        });
-        black_box(last);
-    };
-    compare("latency", angles, [Box::new(motion), Box::new(forward)]);
+    let waiting = [
+        chained(angles.clone(), motion, alpha),
+        chained(angles, forward, |found| found.as_ref().map_or(0.0, |&found| found)),
+    ];
+    compare("latency", waiting);
 }
 
 /// The sweeps, all of what a motion has, and the second rates alone.
-fn sweeps(bars: &FourBar, angles: &[f64], [rate, second, drive]: [f64; 3]) {
-    let mut columns = vec![vec![0.0; angles.len()]; 8];
-    let mut seconds = vec![0.0; angles.len()];
-    let motion = |angles: &[f64]| {
-        let [a, b, c, d, e, f, g, h] = &mut columns[..] else { return };
-        let out = FourBarMotion {
-            position: FourBarPosition {
-                BC: Direction { cos: &mut a[..], sin: b },
-                DC: Direction { cos: c, sin: d },
-            },
-            velocity: FourBarVelocity {
-                BC: AngularVelocity { omega: &mut e[..] },
-                DC: AngularVelocity { omega: f },
-            },
-            acceleration: FourBarAcceleration {
-                BC: AngularAcceleration { alpha: &mut g[..] },
-                DC: AngularAcceleration { alpha: h },
-            },
-        };
-        let swept = bars.sweep_motion(angles, rate, second, out, &mut [], ());
-        black_box(swept).expect("slices of one length");
-        black_box(&mut columns);
-    };
-    let forward = |angles: &[f64]| {
-        let swept = bars.sweep_forward_dynamics(angles, rate, drive, &mut seconds, &mut [], ());
-        black_box(swept).expect("slices of one length");
+fn sweeps(bars: FourBar, angles: &[f64], [rate, second, drive]: [f64; 3]) -> [Run; 2] {
+    let (given, own) = (angles.to_vec(), angles.to_vec());
+    let motion = swept(ANGLES, move |out, _| {
+        let out: FourBarMotion<&mut [f64]> = Record::from_array(out);
+        bars.sweep_motion(&given, rate, second, out, &mut [], ()).expect(LENGTHS);
+    });
+    let mut seconds = vec![0.0; ANGLES];
+    let forward = at_once(ANGLES, move || {
+        bars.sweep_forward_dynamics(&own, rate, drive, &mut seconds, &mut [], ()).expect(LENGTHS);
         black_box(&mut seconds);
-    };
-    compare("throughput, in a sweep", angles, [Box::new(motion), Box::new(forward)]);
+    });
+    [motion, forward]
 }

@@ -1,5 +1,5 @@
-//! The closed forms as the best hand known writes them, in plain `f64`: what the generated solvers
-//! are measured against.
+//! The closed forms as the best hand known writes them: what the generated solvers are measured against. Dimensions are
+//! `f64`; bars and blocks on bars are in either width, what slides otherwise in `f64`.
 //!
 //! - [`crank_dyad`]: the four-bar, a crank on the ground and two bars to a point of the ground;
 //! - [`dyad`]: two bars between any two joints, of which the second may be a point of the ground;
@@ -28,8 +28,10 @@ pub use plane::{Bar, Moving, Vector};
 pub use sine::cos_sin;
 pub use sliding::swinging_block;
 
+use crate::number::Number;
+
 /// a·b + c, fused where the target has the instruction.
 #[inline(always)]
-pub(crate) fn fused(a: f64, b: f64, c: f64) -> f64 {
-    if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
+pub(crate) fn fused<F: Number>(a: F, b: F, c: F) -> F {
+    F::fused(a, b, c)
 }

@@ -3,3 +3,5 @@
 pub mod generated;
 pub mod hand;
 pub mod near_limits;
+pub mod number;
+pub mod race;

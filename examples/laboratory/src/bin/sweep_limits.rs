@@ -11,10 +11,8 @@
 //! loops compute hardly waits for each other, and they write one number a pose. Reported are medians over the
 //! rounds, the ratios' of the times within one round. `sweep_limits ROUNDS` measures that many.
 
-use std::hint::black_box;
-use std::time::Instant;
-
 use laboratory::generated as g;
+use laboratory::race::{Race, Run, angles, swept};
 use linkage_core::private::{Entry, Series, sweep};
 use linkage_core::{Mask, Record, Scalar, SolveError, Status};
 
@@ -92,25 +90,12 @@ fn sums<U: Scalar>(count: usize, factor: U, first: U) -> U {
     chains.into_iter().reduce(|a, b| a + b).unwrap_or(first)
 }
 
-/// Nanoseconds a pose.
-type Run = Box<dyn FnMut() -> f64>;
-
 /// A sweep into as many slices as there are numbers.
 fn timed<const OUT: usize>(
     run: impl Fn(&[f64], [&mut [f64]; OUT], &mut [Status]) + 'static,
 ) -> Run {
-    // Multiples of the golden angle: all over a turn, in no order.
-    let angles: Vec<f64> =
-        (0..POSES).map(|k| (k as f64 * 2.399_963_229_728_653) % std::f64::consts::TAU).collect();
-    let mut columns: [Vec<f64>; OUT] = std::array::from_fn(|_| vec![0.0; POSES]);
-    let mut status = vec![Status::Solved; POSES];
-    Box::new(move || {
-        let start = Instant::now();
-        run(&angles, columns.each_mut().map(|column| &mut column[..]), &mut status);
-        let time = start.elapsed();
-        black_box((&mut columns, &mut status));
-        time.as_nanos() as f64 / POSES as f64
-    })
+    let angles: Vec<f64> = angles().take(POSES).collect();
+    swept(POSES, move |out, status| run(&angles, out, status))
 }
 
 fn alone<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u32>() -> Run {
@@ -122,26 +107,16 @@ fn alone<const DIVISIONS: u32, const ROOTS: u32, const SINES: u32, const SUMS: u
     })
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
-}
-
 /// Times a sweep and its two loops in turn and prints a row.
-fn compare(name: &str, counts: [u32; 2], mut runs: [Run; 3], rounds: usize) {
-    let mut times = [const { Vec::new() }; 3];
-    for round in 0..rounds {
-        for place in 0..3 {
-            let which = (place + round) % 3;
-            times[which].push((runs[which])());
-        }
-    }
-    let over = |limit: &[f64]| median(times[0].iter().zip(limit).map(|(a, b)| a / b).collect());
-    let ratios = [over(&times[1]), over(&times[2])];
-    let [divisions, roots] = counts;
-    let [sweep, divider, arithmetic] = times.map(median);
-    print!("{name:24} {divisions:9} {roots:5} {sweep:9.2} {divider:9.2} {:6.2}", ratios[0]);
-    println!(" {arithmetic:12.2} {:6.2}", ratios[1]);
+fn compare(name: &str, [divisions, roots]: [u32; 2], runs: [Run; 3], rounds: usize) {
+    let mut race = Race::default();
+    runs.into_iter().for_each(|run| race.enter(name, run));
+    let times = race.run(rounds, |_| {});
+    let [sweep, divider, arithmetic] = [0, 1, 2].map(|way| times[way].nanoseconds);
+    // The ratios of a round are to the sweep, and the median of their inverses is the inverse of the median.
+    let [over_divider, over_arithmetic] = [1, 2].map(|way| 1.0 / times[way].ratio);
+    print!("{name:24} {divisions:9} {roots:5} {sweep:9.2} {divider:9.2} {over_divider:6.2}");
+    println!(" {arithmetic:12.2} {over_arithmetic:6.2}");
 }
 
 /// The least number of operations for additions and products, where one operation has one of each.

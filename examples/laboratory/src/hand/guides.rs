@@ -7,13 +7,13 @@ use super::rails::{Rail, Rod, Seen, Slide};
 
 /// A direction that turns.
 #[derive(Clone, Copy, Debug)]
-pub struct Turning {
+pub struct Turning<F = f64> {
     /// A unit vector.
-    pub u: Vector,
+    pub u: Vector<F>,
     /// In rad/s.
-    pub omega: f64,
+    pub omega: F,
     /// In rad/s².
-    pub alpha: f64,
+    pub alpha: F,
 }
 
 impl Turning {

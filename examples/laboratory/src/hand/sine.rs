@@ -9,7 +9,7 @@
 use super::fused;
 
 /// fdlibm's minimax coefficients for |x| ≤ π/4: those of the sine, behind x.
-pub const SINE: [f64; 6] = [
+const SINE: [f64; 6] = [
     -1.66666666666666324348e-01,
     8.33333333332248946124e-03,
     -1.98412698298579493134e-04,
@@ -18,7 +18,7 @@ pub const SINE: [f64; 6] = [
     1.58969099521155010221e-10,
 ];
 /// Those of the cosine, behind 1 − x²/2.
-pub const COSINE: [f64; 6] = [
+const COSINE: [f64; 6] = [
     4.16666666666666019037e-02,
     -1.38888888888741095749e-03,
     2.48015872894767294178e-05,
@@ -58,12 +58,35 @@ pub fn cos_sin(x: f64) -> [f64; 2] {
 
 /// Cosine and sine, turned by quarter turns, of which the two low bits of q count.
 #[inline(always)]
-#[must_use]
-pub fn turned(sine: f64, cosine: f64, q: u64) -> [f64; 2] {
+fn turned(sine: f64, cosine: f64, q: u64) -> [f64; 2] {
     let (s, c) = (sine.to_bits(), cosine.to_bits());
     let swap = (s ^ c) & (q & 1).wrapping_neg();
     let sine = f64::from_bits(s ^ swap ^ ((q & 2) << 62));
     let cosine = f64::from_bits(c ^ swap ^ ((q.wrapping_add(1) & 2) << 62));
+    [cosine, sine]
+}
+
+/// Cosine and sine in single precision, by shorter polynomials. Below 1e3 the products with the first two words of π/2
+/// are exact.
+#[inline(always)]
+#[must_use]
+pub fn cos_sin_single(x: f32) -> [f32; 2] {
+    const SHIFT: f32 = 12_582_912.0;
+    if !(x.abs() <= 1e3) {
+        let (sine, cosine) = x.sin_cos();
+        return [cosine, sine];
+    }
+    let shifted = fused(x, std::f32::consts::FRAC_2_PI, SHIFT);
+    let n = shifted - SHIFT;
+    let r = [1.570_312_5, 4.837_513e-4, 7.549_79e-8].iter().fold(x, |r, &word| fused(-n, word, r));
+    let z = r * r;
+    let sine = fused(z * r, fused(z, fused(z, -1.951_529_6e-4, 8.332_161e-3), -1.666_665_5e-1), r);
+    let series = fused(z, fused(z, 2.443_315_7e-5, -1.388_731_6e-3), 4.166_664_6e-2);
+    let cosine = fused(z * z, series, fused(z, -0.5, 1.0));
+    let (s, c, q) = (sine.to_bits(), cosine.to_bits(), shifted.to_bits());
+    let swap = (s ^ c) & (q & 1).wrapping_neg();
+    let sine = f32::from_bits(s ^ swap ^ ((q & 2) << 30));
+    let cosine = f32::from_bits(c ^ swap ^ ((q.wrapping_add(1) & 2) << 30));
     [cosine, sine]
 }
 

@@ -2,7 +2,7 @@
 //! angle and rates in registers, an array of numbers out.
 
 use laboratory::generated::{FourBar, SixBar};
-use laboratory::hand::{self, Bar, CrankDyad, Dyad, Moving, cos_sin, crank_dyad};
+use laboratory::hand::{Bar, CrankDyad, Dyad, Moving, cos_sin, crank_dyad, swinging_block};
 use linkage_core::{Record, mechanism};
 
 /// Inputs, rates and second rates in registers, numbers out: an array of what has just been written would be
@@ -155,5 +155,5 @@ ways!(other_position: 4,
 ways!(s5_motion: 13,
     |[t, w, a]: [f64; 3]| SixBar::new().motion(t, w, a).ok(),
     Record::into_array,
-    |[t, w, a]: [f64; 3]| hand::swinging_block(t, w, a),
+    swinging_block,
     |numbers| numbers);

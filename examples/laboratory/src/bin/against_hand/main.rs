@@ -16,6 +16,7 @@ mod drawn;
 mod kernels;
 mod machines;
 mod race;
+mod solvers;
 #[cfg(test)]
 mod tests;
 
@@ -23,7 +24,8 @@ use std::collections::HashMap;
 
 use counted::Count;
 use kernels::{Contest, Visit};
-use race::{Ratios, median};
+use laboratory::race::median;
+use race::Ratios;
 
 const ROUNDS: usize = 1001;
 
@@ -103,6 +105,7 @@ fn main() {
     let mut report = Report { rounds, wanted, counts, lines: Vec::new() };
     kernels::reported(&mut report);
     drawn::every(&mut report);
+    print_solvers(report.counts.as_ref());
     for call in ["motion", "position"] {
         let (bars, machines): (Vec<_>, Vec<_>) = report
             .lines
@@ -113,6 +116,15 @@ fn main() {
             });
         summary(&bars, "drawn mechanisms", call);
         summary(&machines, "machines with sliding joints or two inputs", call);
+    }
+}
+
+/// The instructions of what has no hand form beside it.
+fn print_solvers(counts: Option<&HashMap<String, Count>>) {
+    for (path, title) in solvers::called() {
+        if let Some(count) = counts.and_then(|counts| counts.get(path)) {
+            println!("{title:35} {:4} instructions", count.instructions);
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! Times both ways to the same numbers in turns.
 
 use std::hint::black_box;
-use std::time::Instant;
+
+use laboratory::race::{Race, Run, Timing, at_once};
 
 use crate::kernels::{Call, Contest};
 
@@ -21,51 +22,27 @@ pub(crate) const RATES: [[f64; 2]; 2] = [[250.0, 1000.0], [-130.0, 700.0]];
 /// where it loads from next if both addresses end alike, and waits.
 const PLACES: usize = 512;
 
-/// Medians of rounds that each way has in turns: a disturbance hits both or is outvoted.
 pub(crate) fn ratios<const N: usize>(
     &Contest { made, by_hand, ranges }: &Contest<N>,
     rounds: usize,
 ) -> Ratios {
     let poses = poses(ranges);
-    let mut room = vec![0.0; PLACES + N];
-    let mut race = |run: Run<N>, round: usize| {
-        let at = round * 37 % PLACES;
-        let out = room[at..].first_chunk_mut().expect("there is room for every place");
-        let number = round / 2 % N;
-        // Neither is always the first.
-        if round.is_multiple_of(2) {
-            [made, by_hand].map(|call| run(call, &poses, out, number))
-        } else {
-            let [by_hand, made] = [by_hand, made].map(|call| run(call, &poses, out, number));
-            [made, by_hand]
-        }
+    let race = |waits_for: Option<usize>, rounds: usize| -> [Timing; 2] {
+        let mut race = Race::default();
+        race.enter("by hand", timed(by_hand, poses.clone(), waits_for));
+        race.enter("made", timed(made, poses.clone(), waits_for));
+        race.run(rounds, |_| {}).try_into().expect("two ways")
     };
-    let pairs: Vec<_> = (0..rounds).map(|round| race(one_by_one::<N>, round)).collect();
-    let throughput = median(pairs.iter().map(|[made, by_hand]| made / by_hand).collect());
-    let each = median(pairs.iter().map(|[made, _]| *made).collect());
-
-    let mut waits = vec![[Vec::new(), Vec::new()]; N];
-    for round in 0..rounds.max(2 * N) {
-        let times = race(one_after_another::<N>, round);
-        let of_number = waits[round / 2 % N].iter_mut();
-        of_number.zip(times).for_each(|(waits, time)| waits.push(time));
-    }
+    let [_, each] = race(None, rounds);
     // An answer is there when its last number is, whichever that is.
-    let last = |way: usize| {
-        let of_numbers = waits.iter().map(|of_number| median(of_number[way].clone()));
-        of_numbers.fold(0.0, f64::max)
-    };
-    let [wait, by_hand] = [0, 1].map(last);
-    let nanoseconds = [each, wait].map(|time| time / poses.len() as f64);
-    Ratios { throughput, latency: wait / by_hand, nanoseconds }
-}
-
-/// All poses one way, with the number that is waited for: how long it takes, in nanoseconds.
-type Run<const N: usize> = fn(Call<N>, &[[f64; 2]], &mut [f64; N], usize) -> f64;
-
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    let mut waits = [0.0_f64; 2];
+    for number in 0..N {
+        let of_number = race(Some(number), (rounds / N).max(2));
+        waits.iter_mut().zip(of_number).for_each(|(wait, of)| *wait = wait.max(of.nanoseconds));
+    }
+    let [by_hand, made] = waits;
+    let nanoseconds = [each.nanoseconds, made];
+    Ratios { throughput: each.ratio, latency: made / by_hand, nanoseconds }
 }
 
 /// All over the ranges, in no order: an angle at multiples of the golden angle, and what goes with it at
@@ -82,76 +59,44 @@ pub(crate) fn poses(ranges: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Poses that do not wait for each other.
+/// All poses one way, each waiting for a number of the one before or for none.
+fn timed<const N: usize>(call: Call<N>, poses: Vec<[f64; 2]>, waits_for: Option<usize>) -> Run {
+    let [[v, a], [w, b]] = black_box(RATES);
+    match call {
+        Call::One(call) => {
+            let call = black_box(call);
+            one_by_one(poses, waits_for, move |[q, _], out| call(q, v, a, out))
+        }
+        Call::Two(call) => {
+            let call = black_box(call);
+            one_by_one(poses, waits_for, move |[q, r], out| call(q, r, v, w, a, b, out))
+        }
+    }
+}
+
 fn one_by_one<const N: usize>(
-    call: Call<N>,
-    poses: &[[f64; 2]],
-    out: &mut [f64; N],
-    _: usize,
-) -> f64 {
-    let [[v, a], [w, b]] = black_box(RATES);
-    match call {
-        Call::One(call) => {
-            let call = black_box(call);
-            each(poses, out, |[q, _], out| call(q, v, a, out))
+    poses: Vec<[f64; 2]>,
+    waits_for: Option<usize>,
+    call: impl Fn([f64; 2], &mut [f64; N]) -> bool + 'static,
+) -> Run {
+    let (mut room, mut round) = (vec![0.0; PLACES + N], 0);
+    at_once(poses.len(), move || {
+        round += 1;
+        let out: &mut [f64; N] =
+            room[round * 37 % PLACES..].first_chunk_mut().expect("there is room for every place");
+        if let Some(number) = waits_for {
+            let mut nothing = 0.0;
+            for &pose in &poses {
+                black_box(call(pose.map(|input| input + nothing), out));
+                // The compiler does not know that this is zero: it might be infinite.
+                nothing = out[number] * 0.0;
+            }
+            black_box(nothing);
+        } else {
+            for &pose in &poses {
+                black_box(call(pose, out));
+                black_box(&mut *out);
+            }
         }
-        Call::Two(call) => {
-            let call = black_box(call);
-            each(poses, out, |[q, r], out| call(q, r, v, w, a, b, out))
-        }
-    }
-}
-
-#[inline(always)]
-fn each<const N: usize>(
-    poses: &[[f64; 2]],
-    out: &mut [f64; N],
-    call: impl Fn([f64; 2], &mut [f64; N]) -> bool,
-) -> f64 {
-    let start = Instant::now();
-    for &pose in poses {
-        black_box(call(pose, out));
-        black_box(&mut *out);
-    }
-    start.elapsed().as_nanos() as f64
-}
-
-/// Poses whose inputs are known only once a number of the one before is.
-fn one_after_another<const N: usize>(
-    call: Call<N>,
-    poses: &[[f64; 2]],
-    out: &mut [f64; N],
-    number: usize,
-) -> f64 {
-    let [[v, a], [w, b]] = black_box(RATES);
-    match call {
-        Call::One(call) => {
-            let call = black_box(call);
-            chained(poses, out, number, |[q, _], nothing, out| call(q + nothing, v, a, out))
-        }
-        Call::Two(call) => {
-            let call = black_box(call);
-            chained(poses, out, number, |[q, r], nothing, out| {
-                call(q + nothing, r + nothing, v, w, a, b, out)
-            })
-        }
-    }
-}
-
-#[inline(always)]
-fn chained<const N: usize>(
-    poses: &[[f64; 2]],
-    out: &mut [f64; N],
-    number: usize,
-    call: impl Fn([f64; 2], f64, &mut [f64; N]) -> bool,
-) -> f64 {
-    let mut nothing = 0.0;
-    let start = Instant::now();
-    for &pose in poses {
-        black_box(call(pose, nothing, out));
-        // The compiler does not know that this is zero: it might be infinite.
-        nothing = out[number] * 0.0;
-    }
-    black_box(nothing);
-    start.elapsed().as_nanos() as f64
+    })
 }

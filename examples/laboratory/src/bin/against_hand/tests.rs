@@ -1,6 +1,7 @@
 //! Both ways lead to the same numbers.
 
-use laboratory::generated::{FourBar, four_bar as numbers};
+use laboratory::generated::FourBar;
+use linkage_core::Record;
 use linkage_tests::double_double::DoubleDouble;
 
 use crate::kernels::{self, Call, Contest, OtherPoint, TURN, Visit};
@@ -75,7 +76,7 @@ fn the_hand_form_is_within_five_last_places_of_the_truth() {
     let exact = |[[t, _], [w, _], [a, _]]: [[f64; 2]; 3]| {
         let (motion, _) =
             FourBar::<Wide>::default().solve_motion(Wide::new(t), Wide::new(w), Wide::new(a));
-        numbers(&motion).map(|number| number.high)
+        motion.into_array().map(|number| number.high)
     };
     let found = largest([TURN; 2], exact, answer(kernels::s1_motion::CONTEST.by_hand));
     assert!(found <= 5.5, "{found:.1} ε");

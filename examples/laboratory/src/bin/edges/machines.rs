@@ -1,9 +1,31 @@
 //! The machines, each in the forms that are compared.
 
+use laboratory::race::{Race, Run, angles, calls, swept};
 use linkage_core::{Record, Series, mechanism};
 
 use crate::map::map;
-use crate::race::{Pair, Run, calls, swept};
+
+/// A line of the table for one machine: the time of the first way over that of the second.
+pub(crate) struct Pair {
+    pub(crate) what: &'static str,
+    pub(crate) aim: f64,
+    race: Race,
+}
+
+impl Pair {
+    pub(crate) fn new(what: &'static str, aim: f64, [first, second]: [Run; 2]) -> Self {
+        let mut race = Race::default();
+        race.enter("without", second);
+        race.enter("with", first);
+        Self { what, aim, race }
+    }
+
+    /// The ratio and the first way's time.
+    pub(crate) fn measure(&mut self, rounds: usize) -> [f64; 2] {
+        let first = &self.race.run(rounds, |_| {})[1];
+        [first.ratio, first.nanoseconds]
+    }
+}
 
 /// Poses of a round, few enough for the first cache.
 const POSES: usize = 240;
@@ -12,11 +34,6 @@ const POSES: usize = 240;
 const ACROSS: u32 = 64;
 
 const OK: &str = "all slices are of one length";
-
-/// Multiples of the golden angle: all over a turn, in no order.
-fn angles() -> impl Iterator<Item = f64> {
-    (0..).map(|k| (f64::from(k) * 2.399_963_229_728_653) % std::f64::consts::TAU)
-}
 
 /// All over a turn.
 fn turn() -> Vec<f64> {
@@ -105,17 +122,17 @@ macro_rules! machine {
             }
 
             pub(crate) fn pairs() -> Vec<Pair> {
-                let pair = |what, aim, runs| Pair { what, aim, runs };
-                let narrow = || turn().into_iter().map(|angle| angle as f32).collect::<Vec<f32>>();
+                let pair = Pair::new;
+                let narrow = || angles().take(POSES).collect::<Vec<f32>>();
                 vec![
                     pair("1 out of reach, sweep", 3.0, [false, true].map(|met| {
                         sweep_of!(Long, LongPosition, sweep_position, of_long(met))
                     })),
                     pair("1 out of reach, position", 3.0, [false, true].map(|met| {
-                        calls(of_long(met), |&angle| Long::new().position(angle))
+                        calls(of_long(met), |angle| Long::new().position(angle))
                     })),
                     pair("1 out of reach, motion", 3.0, [false, true].map(|met| {
-                        calls(of_long(met), |&angle| Long::new().motion(angle, 2.0, 1.0))
+                        calls(of_long(met), |angle| Long::new().motion(angle, 2.0, 1.0))
                     })),
                     pair("2 map, 43 % reached", 3.0, [$far, $near].map(over_map)),
                     pair("3 distance, sweep", 1.3, [
@@ -139,16 +156,16 @@ macro_rules! machine {
                         sweep_of!(Plain, PlainPosition, sweep_position, turn()),
                     ]),
                     pair("4 distance, a call", 1.2, [
-                        calls(turn(), |&angle| WithDistance::new().position(angle)),
-                        calls(turn(), |&angle| Plain::new().position(angle)),
+                        calls(turn(), |angle| WithDistance::new().position(angle)),
+                        calls(turn(), |angle| Plain::new().position(angle)),
                     ]),
                     pair("5 jacobian, f64", 1.2, [
-                        calls(turn(), |&angle| Everything::new().jacobian(angle)),
-                        calls(turn(), |&angle| Everything::new().coefficients(angle)),
+                        calls(turn(), |angle| Everything::new().jacobian(angle)),
+                        calls(turn(), |angle| Everything::new().coefficients(angle)),
                     ]),
                     pair("5 jacobian, f32", 1.2, [
-                        calls(narrow(), |&angle| Everything::<f32>::default().jacobian(angle)),
-                        calls(narrow(), |&angle| Everything::<f32>::default().coefficients(angle)),
+                        calls(narrow(), |angle| Everything::<f32>::default().jacobian(angle)),
+                        calls(narrow(), |angle| Everything::<f32>::default().coefficients(angle)),
                     ]),
                     // Over a sweep of positions: nanoseconds are what counts.
                     pair("6 search in a sweep", f64::NAN, [
@@ -183,8 +200,8 @@ pub(crate) mod rubbing;
 macro_rules! machines {
     ($($name:ident)*) => {
         /// Every machine's lines.
-        pub(crate) fn all() -> Vec<(&'static str, Vec<Pair>)> {
-            vec![$((stringify!($name), $name::pairs())),*]
+        pub(crate) fn all() -> Vec<Vec<Pair>> {
+            vec![$($name::pairs()),*]
         }
     };
 }

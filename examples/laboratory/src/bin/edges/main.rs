@@ -11,9 +11,8 @@
 
 mod machines;
 mod map;
-mod race;
 
-use race::median;
+use laboratory::race::median;
 
 const ROUNDS: usize = 501;
 
@@ -21,16 +20,15 @@ fn main() {
     let rounds = std::env::args().nth(1).and_then(|rounds| rounds.parse().ok()).unwrap_or(ROUNDS);
     let mut machines = machines::all();
     // Friction is measured on one machine, not on those that are drawn.
-    machines[0].1.extend(machines::rubbing::pairs());
-    let lines = machines[0].1.len();
+    machines[0].extend(machines::rubbing::pairs());
     println!("                             aim  named  drawn  worst  ns a pose, named");
-    for line in 0..lines {
+    for line in 0..machines[0].len() {
         let mut measured =
-            machines.iter_mut().filter_map(|(_, pairs)| Some(pairs.get_mut(line)?.measure(rounds)));
+            machines.iter_mut().filter_map(|pairs| Some(pairs.get_mut(line)?.measure(rounds)));
         let [named, time] = measured.next().expect("one is named");
         let drawn: Vec<f64> = measured.map(|[ratio, _]| ratio).collect();
         let worst = drawn.iter().copied().fold(0.0, f64::max);
-        let pair = &machines[0].1[line];
+        let pair = &machines[0][line];
         let drawn = if drawn.is_empty() { f64::NAN } else { median(drawn) };
         println!(
             "{:28} {:3.1} {named:6.2} {drawn:6.2} {worst:6.2} {time:8.1}",

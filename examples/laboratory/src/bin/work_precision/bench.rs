@@ -1,38 +1,43 @@
 //! One mechanism in one width: every method in the same race, and its error.
 
-use linkage_core::{SolveError, Status};
+use laboratory::race::{Race, Timing, angles, calls, chained, swept};
+use linkage_core::{Float, Real, Record, SolveError, Status};
 
-use crate::batches::Slices;
 use crate::error::{Errors, errors};
-use crate::harness::{Race, Timing, batch, latency, throughput};
+use crate::forms::{dual, newton};
 use crate::mechanisms::Mechanism;
-use crate::number::Number;
-use crate::{dual, newton};
 
 /// A width in which every method can compute.
-pub(crate) trait Width: Number + dual::Base + newton::Field + linkage_core::Float {}
-impl Width for f32 {}
-impl Width for f64 {}
-
-/// The result of a solver: a motion, or none.
-pub(crate) trait Outcome {
-    type Motion;
-    fn motion(&self) -> Option<&Self::Motion>;
+pub(crate) trait Width: Real + Float + dual::Base + newton::Field {
+    const NAME: &'static str;
 }
 
-impl<M> Outcome for Option<M> {
-    type Motion = M;
+impl Width for f32 {
+    const NAME: &'static str = "f32";
+}
+
+impl Width for f64 {
+    const NAME: &'static str = "f64";
+}
+
+/// The result of a method: all numbers of a motion, or none.
+pub(crate) trait Outcome<F, const N: usize> {
+    fn numbers(&self) -> Option<[F; N]>;
+}
+
+impl<F: Copy, const N: usize> Outcome<F, N> for Option<[F; N]> {
     #[inline(always)]
-    fn motion(&self) -> Option<&M> {
-        self.as_ref()
+    fn numbers(&self) -> Self {
+        *self
     }
 }
 
-impl<M> Outcome for Result<M, SolveError> {
-    type Motion = M;
+impl<F, M: Record<Array = [F; N], Number = F> + Copy, const N: usize> Outcome<F, N>
+    for Result<M, SolveError>
+{
     #[inline(always)]
-    fn motion(&self) -> Option<&M> {
-        self.as_ref().ok()
+    fn numbers(&self) -> Option<[F; N]> {
+        self.as_ref().ok().map(|motion| motion.into_array())
     }
 }
 
@@ -50,6 +55,9 @@ pub(crate) struct Finding {
 /// not share their lines, as those of a power of two would.
 const POSES: usize = 240;
 
+/// Poses in a round of Newton, and the turns they make: small, moderate and large steps.
+const STEPS: [(usize, usize); 3] = [(5120, 1), (512, 1), (512, 7)];
+
 pub(crate) struct Bench<F, const N: usize> {
     mechanism: Mechanism<N>,
     throughput: Race,
@@ -61,89 +69,90 @@ pub(crate) struct Bench<F, const N: usize> {
 
 impl<F: Width, const N: usize> Bench<F, N> {
     pub(crate) fn new(mechanism: Mechanism<N>) -> Self {
-        let rates = [F::of(mechanism.rate), F::of(mechanism.second)];
+        let rates = [F::num(mechanism.rate), F::num(mechanism.second)];
         let (throughput, latency) = (Race::default(), Race::default());
         Self { mechanism, throughput, latency, errors: Vec::new(), rates }
     }
 
+    /// A form that needs nothing but the angle and its rates.
+    pub(crate) fn form<S: Copy + 'static>(
+        &mut self,
+        name: &str,
+        form: S,
+        solve: impl Fn(&mut S, [F; 3]) -> Option<[F; N]> + Copy + 'static,
+    ) {
+        self.closed(name, move |input| solve(&mut { form }, input));
+    }
+
     /// A method that needs nothing but the angle and its rates.
-    pub(crate) fn closed<R: Outcome + 'static>(
+    pub(crate) fn closed<R: Outcome<F, N> + 'static>(
         &mut self,
         name: &str,
         solve: impl Fn([F; 3]) -> R + Copy + 'static,
-        numbers: impl Fn(&R::Motion) -> [F; N] + Copy + 'static,
     ) {
-        self.timed(name, angles(), solve, numbers);
-        let found = errors(&self.mechanism, |input| solve(input).motion().map(numbers));
+        self.timed(name, angles().take(POSES).collect(), solve);
+        let found = errors(&self.mechanism, |input| solve(input).numbers());
         self.errors.push((name.to_owned(), found));
     }
 
-    /// A method that starts from where it was: `turns` turns in `poses` equal steps.
+    /// A form that starts from where it was.
     pub(crate) fn following<S: Copy + 'static>(
         &mut self,
-        (poses, turns): (usize, usize),
         start: S,
         solve: impl Fn(&mut S, [F; 3]) -> Option<[F; N]> + Copy + 'static,
     ) {
-        let step = std::f64::consts::TAU * turns as f64 / poses as f64;
-        let name = format!("Newton, steps of {:.2}°", step.to_degrees());
-        let angles: Vec<F> =
-            (0..poses).map(|k| F::of((k as f64 * step) % std::f64::consts::TAU)).collect();
-        let mut state = start;
-        self.timed(&name, angles, move |input| solve(&mut state, input), |out| *out);
-        let (mut state, mut at) = (start, 0.0);
-        let found = errors(&self.mechanism, |input: [F; 3]| {
-            let target = input[0].widen();
-            while at + step < target {
-                at += step;
-                solve(&mut state, [F::of(at), input[1], input[2]]);
-            }
-            solve(&mut state, input)
-        });
-        self.errors.push((name, found));
+        for (poses, turns) in STEPS {
+            let step = std::f64::consts::TAU * turns as f64 / poses as f64;
+            let name = format!("Newton, steps of {:.2}°", step.to_degrees());
+            let angles = (0..poses).map(|k| F::num((k as f64 * step) % std::f64::consts::TAU));
+            let mut state = start;
+            self.timed(&name, angles.collect(), move |input| solve(&mut state, input));
+            let (mut state, mut at) = (start, 0.0);
+            let found = errors(&self.mechanism, |input: [F; 3]| {
+                let target = input[0].value();
+                while at + step < target {
+                    at += step;
+                    solve(&mut state, [F::num(at), input[1], input[2]]);
+                }
+                solve(&mut state, input)
+            });
+            self.errors.push((name, found));
+        }
     }
 
-    fn timed<R: Outcome + 'static>(
+    fn timed<R: Outcome<F, N> + 'static>(
         &mut self,
         name: &str,
         angles: Vec<F>,
         mut solve: impl FnMut([F; 3]) -> R + Clone + 'static,
-        numbers: impl Fn(&R::Motion) -> [F; N] + Copy + 'static,
     ) {
         let [rate, second] = self.rates;
         let mut other = solve.clone();
-        let alone = throughput(angles.clone(), move |angle| solve([angle, rate, second]));
+        let alone = calls(angles.clone(), move |angle| solve([angle, rate, second]));
         self.throughput.enter(name, alone);
-        let accelerations = self.mechanism.orders.0 + self.mechanism.orders.1;
-        // One of them: what is done to make the next angle wait must not cost much itself.
+        let [positions, velocities, _] = self.mechanism.labels.map(<[_]>::len);
+        // An acceleration: what is done to make the next angle wait must not cost much itself.
         let last = move |result: &R| {
-            let first = |values: [F; N]| values.into_iter().nth(accelerations);
-            result.motion().map(numbers).and_then(first).unwrap_or(F::of(0.0))
+            result.numbers().map_or(F::num(0.0), |numbers| numbers[positions + velocities])
         };
-        let chained = latency(angles, move |angle| other([angle, rate, second]), last);
-        self.latency.enter(name, chained);
+        let waiting = chained(angles, move |angle| other([angle, rate, second]), last);
+        self.latency.enter(name, waiting);
     }
 
-    /// The method of this name, at all poses in one call.
+    /// A method at all poses in one call.
     pub(crate) fn swept(
         &mut self,
         name: &str,
-        sweep: impl Fn((&[F], F, F), Slices<'_, F, N>) + Copy + 'static,
+        sweep: impl Fn((&[F], F, F), [&mut [F]; N], &mut [Status]) + Copy + 'static,
     ) {
-        let ([rate, second], angles) = (self.rates, angles::<F>());
-        let mut columns: [Vec<F>; N] = std::array::from_fn(|_| vec![F::of(0.0); POSES]);
-        let mut status: Vec<Status> = vec![Status::Solved; POSES];
-        let run = move || {
-            let numbers = columns.each_mut().map(|column| &mut column[..]);
-            sweep((&angles, rate, second), Slices { numbers, status: &mut status });
-            std::hint::black_box((&mut columns, &mut status));
-        };
-        self.throughput.enter(name, batch(POSES, run));
+        let ([rate, second], angles) = (self.rates, angles().take(POSES).collect::<Vec<F>>());
+        let run = swept(POSES, move |out, status| sweep((&angles, rate, second), out, status));
+        self.throughput.enter(name, run);
         let found = errors(&self.mechanism, |input: [F; 3]| {
-            let mut values = [F::of(0.0); N];
-            let numbers = values.each_mut().map(std::slice::from_mut);
+            let mut values = [F::num(0.0); N];
             let mut status = [Status::NotFinite];
-            sweep((&input[..1], input[1], input[2]), Slices { numbers, status: &mut status });
+            let out = values.each_mut().map(std::slice::from_mut);
+            sweep((&input[..1], input[1], input[2]), out, &mut status);
             (status[0] == Status::Solved).then_some(values)
         });
         self.errors.push((name.to_owned(), found));
@@ -156,26 +165,19 @@ impl<F: Width, const N: usize> Bench<F, N> {
         prepare: impl Fn(F) -> A,
         solve: impl Fn(A, [F; 2]) -> R + 'static,
     ) {
-        let (inputs, rates) = (angles().into_iter().map(prepare).collect(), self.rates);
-        self.throughput.enter(name, throughput(inputs, move |input| solve(input, rates)));
+        let (inputs, rates) = (angles().take(POSES).map(prepare).collect(), self.rates);
+        self.throughput.enter(name, calls(inputs, move |input| solve(input, rates)));
     }
 
-    pub(crate) fn run(self, rounds: usize, progress: &dyn Fn(usize)) -> Vec<Finding> {
-        let Self { throughput, latency, errors, .. } = self;
-        let chained = latency.run(rounds, progress);
-        let alone = throughput.run(rounds, |round| progress(rounds + round));
+    pub(crate) fn run(mut self, rounds: usize, progress: &dyn Fn(usize)) -> Vec<Finding> {
+        let waits = self.latency.run(rounds, progress);
+        let alone = self.throughput.run(rounds, |round| progress(rounds + round));
         let finding = |throughput: Timing| {
             let name = throughput.name.clone();
-            let latency = chained.iter().find(|timing| timing.name == name).cloned();
-            let errors = errors.iter().find(|(of, _)| *of == name).map(|&(_, errors)| errors);
+            let latency = waits.iter().find(|timing| timing.name == name).cloned();
+            let errors = self.errors.iter().find(|(of, _)| *of == name).map(|&(_, errors)| errors);
             Finding { name, throughput, latency, errors }
         };
         alone.into_iter().map(finding).collect()
     }
-}
-
-/// Angles all over a turn, in no order.
-fn angles<F: Number>() -> Vec<F> {
-    // Multiples of the golden angle.
-    (0..POSES).map(|k| F::of((k as f64 * 2.399_963_229_728_653) % std::f64::consts::TAU)).collect()
 }

@@ -7,30 +7,22 @@
 //!
 //! Four mechanisms, each in f64 and f32: position, velocity and acceleration of every output with
 //! all checks on the result. Times are ratios to the straightforward hand-written closed form,
-//! measured in turns; errors are those of the table in `truth`. Writes a picture of both, beside it
+//! measured in turns; errors are those against numbers of two words. Writes a picture of both, beside it
 //! how errors grow next to a limit, and beside that what the other of the two commands has found.
 //!
 //! `work_precision ROUNDS` measures that many rounds instead of the default, and
 //! `work_precision ROUNDS S1` nothing but the mechanisms whose name starts like that.
 
-mod batches;
 mod bench;
 mod contest;
 mod dots;
-mod dual;
 mod error;
-mod half_angle;
-mod harness;
+mod forms;
 mod mechanisms;
-mod newton;
-mod number;
 mod picture;
-mod plane;
 mod report;
-mod sine;
-mod straightforward;
-mod truth;
-mod tuned;
+#[cfg(test)]
+mod tests;
 
 use std::io::{IsTerminal, Write};
 

@@ -8,7 +8,7 @@ pub(crate) fn heading(rounds: usize) -> String {
     format!(
         "Position, velocity and acceleration of every output, all checks included; compiled \
          {fused} fused operations;\nmedians of {rounds} rounds. Ratios are to the straightforward \
-         closed form; a latency is a pose that waits for the one before.\nErrors against 50 digits \
+         closed form; a latency is a pose that waits for the one before.\nErrors against 30 digits \
          are the largest over a turn, in ε of the largest value of the same quantity."
     )
 }

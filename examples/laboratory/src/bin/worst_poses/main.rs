@@ -48,45 +48,28 @@ fn main() {
     println!("\n{:.0} s", start.elapsed().as_secs_f64());
 }
 
+macro_rules! every {
+    ($orders:ident, $width:ident, $count:ident, $seed:ident: $($group:literal $draw:ident $measure:ident)*) => {
+        $(search(($group, $orders), $width, $count, $seed, poses::$draw, |pose| {
+            $measure::measure(pose, $width).map(ratios)
+        });)*
+    };
+}
+
 /// Every group in one width, and the bars once more with numbers carried to twice the width.
 fn search_motion(width: Width, count: usize, seed: u64) {
-    search(("rrr", ORDERS), width, count, seed, poses::rrr, |pose| {
-        rrr::measure(pose, width).map(ratios)
-    });
-    search(("carried", ORDERS), width, count, seed, poses::rrr, |pose| {
-        compensated_rrr::measure(pose, width).map(ratios)
-    });
-    search(("rrp", ORDERS), width, count, seed, poses::rrp, |pose| {
-        rrp::measure(pose, width).map(ratios)
-    });
-    search(("rpr", ORDERS), width, count, seed, poses::rpr, |pose| {
-        rpr::measure(pose, width).map(ratios)
-    });
-    search(("prp", ORDERS), width, count, seed, poses::prp, |pose| {
-        prp::measure(pose, width).map(ratios)
-    });
-    search(("rpp", ORDERS), width, count, seed, poses::rpp, |pose| {
-        rpp::measure(pose, width).map(ratios)
-    });
+    every! {
+        ORDERS, width, count, seed:
+        "rrr" rrr rrr "carried" rrr compensated_rrr "rrp" rrp rrp "rpr" rpr rpr "prp" prp prp "rpp" rpp rpp
+    }
 }
 
 /// The reactions of every group in one width, at rest and in motion.
 fn search_forces(width: Width, count: usize, seed: u64) {
-    search(("rrr", FORCES), width, count, seed, poses::rrr, |pose| {
-        rrr_forces::measure(pose, width).map(ratios)
-    });
-    search(("rrp", FORCES), width, count, seed, poses::rrp, |pose| {
-        rrp_forces::measure(pose, width).map(ratios)
-    });
-    search(("rpr", FORCES), width, count, seed, poses::rpr, |pose| {
-        rpr_forces::measure(pose, width).map(ratios)
-    });
-    search(("prp", FORCES), width, count, seed, poses::prp, |pose| {
-        prp_forces::measure(pose, width).map(ratios)
-    });
-    search(("rpp", FORCES), width, count, seed, poses::rpp, |pose| {
-        rpp_forces::measure(pose, width).map(ratios)
-    });
+    every! {
+        FORCES, width, count, seed:
+        "rrr" rrr rrr_forces "rrp" rrp rrp_forces "rpr" rpr rpr_forces "prp" prp prp_forces "rpp" rpp rpp_forces
+    }
 }
 
 /// The worst ratio of each order. A number that is not finite has left the range and is no error:

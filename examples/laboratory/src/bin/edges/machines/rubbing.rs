@@ -1,9 +1,9 @@
 //! The named four-bar with masses, and with three frictions that follow from its reactions.
 
+use laboratory::race::{calls, swept};
 use linkage_core::{Record, mechanism};
 
-use super::{OK, turn};
-use crate::race::{Pair, calls, swept};
+use super::{OK, Pair, turn};
 
 macro_rules! heavy {
     ($solver:ident { $($statement:tt)* }) => {
@@ -33,7 +33,7 @@ heavy! { Tuned {
 
 macro_rules! forces {
     ($solver:ident) => {
-        calls(turn(), |&angle| $solver::new().forces(angle, 2.0, 1.0))
+        calls(turn(), |angle| $solver::new().forces(angle, 2.0, 1.0))
     };
     ($solver:ident, $record:ident) => {
         sweep_of!($solver, $record, sweep_forces, turn(), 2.0, 1.0)
@@ -42,7 +42,7 @@ macro_rules! forces {
 
 /// The lines that are measured on this machine alone.
 pub(crate) fn pairs() -> Vec<Pair> {
-    let pair = |what, runs| Pair { what, aim: 2.5, runs };
+    let pair = |what, runs| Pair::new(what, 2.5, runs);
     vec![
         pair("7 three frictions, a call", [forces!(Rubbing), forces!(Free)]),
         pair("7 tuned frictions, a call", [forces!(Tuned), forces!(Free)]),
