@@ -28,7 +28,7 @@
 //! | `equations` | the formulas of every driver and group, once | know how code is written |
 //! | `passes` | make the graph smaller without changing what it means | know a mechanism |
 //! | `lower` | which routine computes what, in which order, and what it asks | print |
-//! | `codegen` | routines into functions, structs and docs, in Rust, C, JavaScript and FMI's XML | decide |
+//! | `codegen` | routines into functions, structs and docs, a folder a language: Rust, C with FMI's XML, JavaScript | decide |
 //!
 //! Imports point to earlier rooms only, and data flows one way: each phase takes the one before by
 //! reference and returns a new value.

@@ -4,10 +4,13 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::Drawing;
 use super::arguments::Arguments;
 use super::context::Context;
+use super::docs::words;
 use super::identifiers::{generated, text};
-use super::{Drawing, formulas, page, root_functions};
+use super::rust::{formulas, root_functions};
+use super::script::page;
 use crate::interface::entries::ArgumentKind;
 use crate::lower::routine::Lowered;
 use crate::lower::{APPLIED, PLACED};
@@ -137,7 +140,7 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
 fn plan(cx: &Context<'_>) -> TokenStream {
     let (mechanism, plan) = (cx.mechanism, cx.paths.item("Plan"));
     let name = text(&mechanism.name);
-    let docs = super::docs::words(&mechanism.docs);
+    let docs = words(&mechanism.docs);
     let names = |names: Vec<&Ident>| {
         let names = names.into_iter().map(text);
         quote!(&[#(#names),*])

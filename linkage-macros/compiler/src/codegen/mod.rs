@@ -1,55 +1,36 @@
-//! Routines into Rust: one struct for the mechanism, records for what goes in and comes out, and
-//! for every entry point a fast path, a slow path and the function that chooses.
+//! Routines as text, in each language a folder: what is printed is what `lower` says, statement by
+//! statement. Nothing is computed or decided here about the mechanism.
 //!
-//! Nothing is computed or decided here about the mechanism: what is printed is what `lower` says,
-//! statement by statement. Paths into the run-time crate are made in `paths`, names in
-//! `identifiers`, and nowhere else.
+//! | module | what it holds |
+//! |---|---|
+//! | `rust` | the expansion of a declaration: structs, entry points, searches, sweeps |
+//! | `c` | the same functions in C99, their header, the run-time, and FMUs |
+//! | `script` | the formulas in JavaScript, and the page that they move |
+//! | `drawing` | what a mechanism is drawn by, in Rust |
+//! | `docs` | what documentation says of each item, and comments of headers |
+//! | `printer` | the walk over a routine's statements, for every language |
+//! | `arguments` | the arguments of an entry point |
+//! | `identifiers`, `text`, `token_list` | names, and what code is written into |
+//! | `paths` | paths into the run-time crate, made nowhere else |
 
 mod arguments;
-mod as_solver;
-mod autodiff;
 pub(crate) mod c;
-mod c_export;
-mod checked;
 mod context;
-mod costs_in_words;
-mod doc_comments;
 mod docs;
 mod drawing;
-mod editor_names;
-mod fast_path;
-mod force_docs;
-mod formulas;
-mod groups_in_words;
 mod identifiers;
-mod in_rust;
-mod in_script;
-mod input_records;
-mod module;
-mod page;
 mod paths;
 mod printer;
-mod ranges_in_words;
-mod results;
-mod root_functions;
+mod rust;
 mod script;
-mod slow_path;
-mod solver;
-mod state_rates;
-mod structs;
-mod stub_docs;
-mod sweeps;
 mod text;
 mod token_list;
-mod tracking;
 
 #[cfg(test)]
 pub(crate) mod tests;
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
-use self::context::Context;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
@@ -68,54 +49,5 @@ pub(crate) fn generate(
     is_serialised: bool,
 ) -> TokenStream {
     let drawing = drawing.map(|drawing| drawing::items(mechanism, lowered, drawing));
-    let cx = Context::new(mechanism, lowered);
-    let (solver, records) = (solver::definition(&cx), structs::definitions(&cx, is_serialised));
-    let implementations = implementations(&cx, drawing);
-    module::around(&cx, &quote! { #solver #records #implementations })
-}
-
-/// All that is done with the structs, in an unnamed constant: what it imports meets no name of the
-/// user's, and its paths are short.
-fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStream {
-    let import = cx.paths.import_in_constant();
-    let arguments = cx.paths.import_arguments(arguments::all_names(cx));
-    let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
-    let fast = cx.entries().map(|entry| fast_path::function(cx, entry));
-    let followed = cx.entries().map(|entry| fast_path::following(cx, entry));
-    let checked = cx.entries().map(|entry| checked::function(cx, entry));
-    let slow = cx.entries().map(|entry| slow_path::function(cx, entry));
-    let (formulas, searches) = (formulas::functions(cx), root_functions::functions(cx));
-    let sweeps = sweeps::items(cx);
-    let (derivatives, clearances) = (autodiff::items(cx), tracking::with_rates(cx));
-    let (as_solver, dynamics) = (as_solver::items(cx), state_rates::items(cx));
-    let (c_export, references) = (c_export::items(cx), editor_names::items(cx));
-    let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-    // A search decides at every trial, which lanes cannot do together.
-    let any = cx.paths.item(if cx.searches() { "Real" } else { "Scalar" });
-    let real = cx.paths.item("Real");
-    let has_loads = !cx.mechanism.dynamics.loads.is_empty();
-    let many = has_loads.then(|| {
-        quote! {
-            #[allow(clippy::too_many_arguments, reason = "rates, loads, results and statuses")]
-        }
-    });
-    quote! {
-        #[allow(clippy::approx_constant, reason = "a dimension may be near a constant by chance")]
-        #many
-        const _: () = {
-            #import
-            #arguments
-            #solver
-            #records
-            impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #searches }
-            impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* #(#followed)* #clearances }
-            #sweeps
-            #derivatives
-            #as_solver
-            #dynamics
-            #c_export
-            #references
-            #drawing
-        };
-    }
+    rust::generate(mechanism, lowered, drawing, is_serialised)
 }

@@ -1,9 +1,9 @@
 //! The names of fields and arguments inside the functions.
 
 use super::In;
+use super::c_identifiers::distinct;
+use super::header;
 use crate::codegen::arguments::{Arguments, Form};
-use crate::codegen::c_export::c_identifiers::distinct;
-use crate::codegen::c_export::header;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
 use crate::interface::entries::ArgumentKind;

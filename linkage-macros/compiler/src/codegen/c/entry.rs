@@ -1,9 +1,9 @@
 //! The functions behind an entry point: its core, which compares, and its diagnosis.
 
 use super::In;
+use super::c_identifiers::default;
 use super::c_names::{is_array, quoted};
 use super::two_paths::{Destination, indented};
-use crate::codegen::c_export::c_identifiers::default;
 use crate::codegen::printer::sum;
 use crate::interface::entries::{ArgumentKind, Entry};
 use crate::interface::records::Shape;

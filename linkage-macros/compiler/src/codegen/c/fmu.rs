@@ -6,8 +6,8 @@
 mod model_description;
 mod model_table;
 
+use super::c_identifiers::{Width, file_stem, snake_case};
 use super::{FRICTION, In, ROOT, rubs};
-use crate::codegen::c_export::c_identifiers::{Width, file_stem, snake_case};
 use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;

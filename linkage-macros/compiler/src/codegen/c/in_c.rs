@@ -1,8 +1,8 @@
 //! Statements in C: conditions are comparisons on the fast path, calls of the run-time on the slow one.
 
 use super::In;
+use super::c_identifiers::snake_case;
 use super::c_names::{PARAMETERS, param, quoted};
-use crate::codegen::c_export::c_identifiers::snake_case;
 use crate::codegen::identifiers::text;
 use crate::codegen::printer::{Dialect, Operation, Printer};
 use crate::codegen::text::Text;

@@ -4,19 +4,21 @@
 //! once as the fast path compares, once as the slow path diagnoses. Names of our own inside a function have a
 //! capital letter or no underscore at their end, which no local of a routine has.
 
+pub(in crate::codegen) mod c_identifiers;
 mod c_names;
 mod entry;
 pub(crate) mod fmu;
+pub(in crate::codegen) mod header;
 mod in_c;
 mod public_function;
+mod reserved;
 mod roots;
 pub(crate) mod run_time;
 pub(crate) mod selection;
 mod two_paths;
 
+use self::c_identifiers::{Width, file_stem, snake_case};
 use self::selection::Selection;
-use super::c_export::c_identifiers::{Width, file_stem, snake_case};
-use super::c_export::header;
 use super::context::Context;
 use super::identifiers::text;
 use crate::lower::routine::{Instruction, Lowered};

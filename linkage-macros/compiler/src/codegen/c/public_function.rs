@@ -2,11 +2,10 @@
 //! the diagnosis.
 
 use super::In;
+use super::c_identifiers::{PARAMETERS as MECHANISM, arguments, function};
 use super::c_names::{is_array, param, quoted};
 use super::two_paths::indented;
 use crate::codegen::arguments::{Arguments, Form};
-use crate::codegen::c_export::PARAMETERS as MECHANISM;
-use crate::codegen::c_export::c_identifiers::{arguments, function};
 use crate::codegen::identifiers::text;
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;

@@ -2,10 +2,10 @@
 //! that calls it, which is the run-time's.
 
 use super::In;
+use super::c_identifiers::{Width, ascii};
 use super::c_names::{PARAMETERS, param, quoted};
 use super::in_c::InC;
 use super::two_paths::indented;
-use crate::codegen::c_export::c_identifiers::{Width, ascii};
 use crate::codegen::identifiers::text;
 use crate::codegen::printer::{Dialect, Printer};
 use crate::codegen::text::Text;

@@ -3,8 +3,8 @@
 //! Text that is the same in both widths is written once, with words for the number and its constants, and
 //! printed for each. Answers are those of the run-time crate to the last bit; tests call both.
 
-use crate::codegen::c_export::c_identifiers::Width;
-use crate::codegen::c_export::header::SHARED;
+use super::c_identifiers::Width;
+use super::header::SHARED;
 
 /// The text of `linkage_run.h`.
 pub(crate) fn header() -> String {

@@ -1,6 +1,6 @@
 //! The part of a mechanism that is printed: all of it, or some entry points, or one width.
 
-use crate::codegen::c_export::c_identifiers::Width;
+use super::c_identifiers::Width;
 use crate::codegen::identifiers::text;
 use crate::diagnostics::Diagnostics;
 use crate::interface::Interface;

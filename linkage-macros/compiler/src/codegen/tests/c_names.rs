@@ -8,8 +8,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 
 use super::c_printed::compiled;
 use super::skipped::skipped;
+use crate::codegen::c::c_identifiers::{Width, arguments, distinct};
 use crate::codegen::c::run_time;
-use crate::codegen::c_export::c_identifiers::{Width, arguments, distinct};
 use crate::pipeline;
 
 /// Dialects, with what each is told beside.

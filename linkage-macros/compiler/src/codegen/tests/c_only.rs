@@ -7,8 +7,8 @@ use proc_macro2::TokenStream;
 
 use super::c_printed::{STRICT, compiled};
 use crate::codegen::c;
+use crate::codegen::c::c_identifiers::Width;
 use crate::codegen::c::selection::Selection;
-use crate::codegen::c_export::c_identifiers::Width;
 use crate::diagnostics::Diagnostics;
 use crate::exact::Scope;
 use crate::expansions::declarations;

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use syn::{Item, UseTree};
 
-use crate::codegen::c_export::header::{JAMS, NO_SOLUTION, SHARED};
+use crate::codegen::c::header::{JAMS, NO_SOLUTION, SHARED};
 use crate::codegen::paths::IMPORTED;
 
 /// The items of a file of the run-time crate.

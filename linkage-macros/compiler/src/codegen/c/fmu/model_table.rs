@@ -2,8 +2,8 @@
 
 use super::{Model, PARAMETERS, Role, Variable, kind, of_drives};
 use crate::codegen::arguments::{Arguments, Form};
+use crate::codegen::c::c_identifiers::{Width, default, file_stem, function};
 use crate::codegen::c::c_names::{is_array, param as field_of_param};
-use crate::codegen::c_export::c_identifiers::{Width, default, file_stem, function};
 use crate::codegen::identifiers::text;
 use crate::interface::entries::{ArgumentKind, Entry};
 use crate::model::mechanism::ParamKind;

@@ -1,0 +1,366 @@
+//! The documentation of the generated code: the meaning, the unit, the source and the cost of each item. The
+//! user's own doc comments come first.
+
+pub(super) mod costs_in_words;
+pub(super) mod doc_comments;
+pub(super) mod force_docs;
+mod groups_in_words;
+mod ranges_in_words;
+mod searches_in_words;
+mod stub_docs;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
+
+use self::doc_comments::{after, lines};
+use crate::codegen::context::Context;
+use crate::codegen::identifiers::text;
+use crate::interface::entries::{ArgumentKind, Entry};
+use crate::interface::quantity::{Order, Quantity};
+use crate::interface::records::{Field, Record, Shape, Subject};
+use crate::interface::units_in_words::{per_time, unit};
+use crate::interface::{EntryId, labels};
+use crate::model::mechanism::{DeclaredOutput, Input, OutputKind, Param, ParamKind, Sign};
+use crate::syntax::anatomy::{ModeRow, Modes};
+
+/// The words of the user's comments, to be put behind our own.
+fn quoted(own: &[Attribute]) -> String {
+    let words = words(own);
+    if words.is_empty() { words } else { format!(": {words}") }
+}
+
+/// The words of the user's comments in one line.
+pub(super) fn words(own: &[Attribute]) -> String {
+    let lines: Vec<String> = own_lines(own).collect();
+    lines.iter().flat_map(|line| line.split_whitespace()).collect::<Vec<_>>().join(" ")
+}
+
+/// The user's comments line by line.
+pub(super) fn own_lines(own: &[Attribute]) -> impl Iterator<Item = String> {
+    own.iter().filter_map(|attribute| match &attribute.meta {
+        Meta::NameValue(MetaNameValue {
+            value: Expr::Lit(ExprLit { lit: Lit::Str(line), .. }),
+            ..
+        }) => Some(line.value()),
+        _ => None,
+    })
+}
+
+/// The struct of the mechanism: the page a user lands on.
+pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
+    if cx.mechanism.is_stub {
+        return stub_docs::solver(cx);
+    }
+    let mut page = String::from(match cx.searches() {
+        false => "Solver of position, velocity and acceleration in closed form.\n",
+        true => {
+            "Solver of position, velocity and acceleration: in closed form, but for what is searched.\n"
+        }
+    });
+    let section = |title: &str, items: Vec<String>| match items.is_empty() {
+        true => String::new(),
+        false => format!("\n# {title}\n- {}\n", items.join("\n- ")),
+    };
+    let inputs = cx.mechanism.inputs.iter().map(|input| {
+        let unit = unit(input.dimension, Order::Position);
+        format!("`{}` in {unit}{}", text(&input.name), quoted(&input.docs))
+    });
+    page += &section("Inputs", inputs.collect());
+    let outputs = cx.mechanism.outputs.iter();
+    page +=
+        &section("Outputs", outputs.map(|output| describe(cx, output, Order::Position)).collect());
+    let efforts = 0..cx.mechanism.dynamics.asked.len();
+    page += &section("Forces", efforts.map(|index| force_docs::describe(cx, index)).collect());
+    let groups = cx.mechanism.groups.iter();
+    page += &section(
+        "Groups, in the order they are solved",
+        groups.enumerate().map(|(index, _)| groups_in_words::in_words(cx, index)).collect(),
+    );
+    page += &section("Searches, in every call", searches_in_words::in_words(cx));
+    let ranges = cx.mechanism.rotatabilities.iter();
+    page += &section("Range", ranges.map(|found| ranges_in_words::in_words(cx, found)).collect());
+    let costs = cx.entries().map(|entry| {
+        format!(
+            "`{}`: {}",
+            cx.entry(entry).name(),
+            costs_in_words::in_words(costs_in_words::of(cx, entry))
+        )
+    });
+    page += &section("Cost of one call", costs.collect());
+    after(&cx.mechanism.docs, &page)
+}
+
+pub(super) fn param(cx: &Context<'_>, param: &Param) -> TokenStream {
+    if cx.mechanism.is_stub {
+        return stub_docs::param(param);
+    }
+    let line = match &param.kind {
+        ParamKind::Number { dimension, default, .. } => {
+            let unit = unit(*dimension, Order::Position);
+            format!(
+                "Parameter `{}` in {unit}; as declared {}.",
+                text(&param.name),
+                default.to_f64()
+            )
+        }
+        ParamKind::Mode { of, default } => mode(param, *default, *of),
+    };
+    after(&param.docs, &line)
+}
+
+fn mode(param: &Param, default: Sign, of: Modes) -> String {
+    let ModeRow { words, type_name, .. } = of.row();
+    let word = words[usize::from(default == Sign::Minus)];
+    let [plus, minus] = words.map(|word| format!("`{type_name}::{}`", Modes::variant(word)));
+    format!("Assembly mode `{}`, {plus} or {minus}; as declared {word}.", text(&param.name))
+}
+
+fn input(input: &Input) -> TokenStream {
+    let unit = unit(input.dimension, Order::Position);
+    let line =
+        format!("Input `{}` in {unit}, its rates in {unit}/s and {unit}/s².", text(&input.name));
+    after(&input.docs, &line)
+}
+
+pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
+    let words = record.kind.in_words(cx.mechanism).in_rust;
+    lines(&words.replace('@', &format!("[`{}`]", text(&cx.names.solver))))
+}
+
+/// A field of a record.
+pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
+    let of_mistakes = cx.mechanism.is_stub.then(|| stub_docs::field(cx, field));
+    if let Some(docs) = of_mistakes.flatten() {
+        return docs;
+    }
+    match field.subject {
+        Subject::Input(index) => input(&cx.mechanism.inputs[index]),
+        Subject::Load(index) => force_docs::load(&cx.mechanism.dynamics.loads[index]),
+        Subject::Effort(index) => force_docs::effort(cx, index),
+        Subject::Efforts(index) => force_docs::owner(cx, index),
+        Subject::Mass => quote! {
+            /// The mass matrix, symmetric: in kg along a length, in kg·m² about an angle.
+        },
+        Subject::GeneralizedForce => quote! {
+            /// What acts along each input, of what is applied, weight, springs and the inertia that is left
+            /// without second rates: in N along a length, in N·m about an angle.
+        },
+        Subject::KineticEnergy => quote! {
+            /// In J: ½ m v² + ½ J ω² of every mass.
+        },
+        Subject::PotentialEnergy => quote! {
+            /// In J: of every mass in the field of gravity, zero at the ground's origin, and of every
+            /// spring, zero where it is slack.
+        },
+        Subject::Output(index, order) => output(cx, &cx.mechanism.outputs[index], order),
+        Subject::Outputs(Order::Position) => quote! {
+            /// In metres and radians.
+        },
+        Subject::Outputs(Order::Velocity) => quote! {
+            /// In m/s and rad/s.
+        },
+        Subject::Outputs(Order::Acceleration) => quote! {
+            /// In m/s² and rad/s².
+        },
+    }
+}
+
+/// `COST`.
+pub(super) fn cost(cx: &Context<'_>) -> TokenStream {
+    match cx.mechanism.is_stub {
+        true => stub_docs::cost(),
+        false => quote! {
+            /// The floating-point operations of one call.
+        },
+    }
+}
+
+pub(super) fn rows(order: Order) -> TokenStream {
+    lines(match order {
+        Order::Position => {
+            "The rows in the order of `OUTPUTS`; a direction's row is its angle in (−π, π]."
+        }
+        Order::Velocity => "The rows in the order of `OUTPUTS`; a direction's row is ω.",
+        Order::Acceleration => "The rows in the order of `OUTPUTS`; a direction's row is α.",
+    })
+}
+
+/// An output as a field of a record.
+fn output(cx: &Context<'_>, output: &DeclaredOutput, order: Order) -> TokenStream {
+    let mut own = output.docs.clone();
+    let of_thing: &[Attribute] = match output.kind {
+        OutputKind::Point(point) => &cx.mechanism.points[point.index()].docs,
+        OutputKind::Link { link, .. } => &cx.mechanism.links[link.index()].docs,
+        _ => &[],
+    };
+    if quote!(#(#own)*).to_string() != quote!(#(#of_thing)*).to_string() {
+        own.extend_from_slice(of_thing);
+    }
+    let line = describe(cx, output, order);
+    after(&own, &format!("{line}."))
+}
+
+/// One output in words: what it is, what made it, its unit.
+pub(super) fn describe(cx: &Context<'_>, output: &DeclaredOutput, order: Order) -> String {
+    let (mechanism, name) = (cx.mechanism, text(&output.field));
+    let words = Quantity::of(&output.kind).layout(order).words;
+    match &output.kind {
+        OutputKind::Point(point) => {
+            format!("Point `{name}` ({}): {words}", mechanism.maker(*point))
+        }
+        OutputKind::Link { link, .. } => {
+            let made_by = mechanism.statement(mechanism.links[link.index()].made_by);
+            format!("Link `{name}` ({made_by}): {words}")
+        }
+        OutputKind::Value { dimension, .. } => {
+            format!("`{name}`{words} in {}", unit(*dimension, order))
+        }
+        OutputKind::Angle(_) => format!("Angle `{name}`: {words}"),
+        OutputKind::CentreOfMass => format!("Centre of all masses: {words}"),
+        OutputKind::Margin(id) => {
+            let group = mechanism.statement(*id);
+            format!("Distance of {group} from its limit{words} in m{}", per_time(order))
+        }
+        OutputKind::Transmission(id) => {
+            format!("Sine of the transmission angle of {}{words}", mechanism.statement(*id))
+        }
+    }
+}
+
+/// The arguments in words, and the meaning of the list of coefficients.
+fn details(cx: &Context<'_>, entry: &Entry) -> String {
+    let mut text = match (&cx.mechanism.inputs[..], cx.inputs()) {
+        ([only], _) => {
+            let (name, unit) = (text(&only.name), unit(only.dimension, Order::Position));
+            let given = entry.given.iter().filter_map(|given| match given {
+                ArgumentKind::Cosine => {
+                    Some(format!("`{name}` by its cosine and sine (any amplitude from 0.9 to 1.1)"))
+                }
+                ArgumentKind::Sine => None,
+                ArgumentKind::Value => Some(format!("`{name}` in {unit}")),
+                ArgumentKind::Rate => Some(format!("its rate in {unit}/s")),
+                ArgumentKind::Acceleration => Some(format!("its second rate in {unit}/s²")),
+                ArgumentKind::Loads => None,
+                ArgumentKind::Drives => Some(match &cx.mechanism.dynamics.pull {
+                    Some(load) => format!("the load `{}`, which drives it", text(&load.name)),
+                    None => "the effort of its drive".to_string(),
+                }),
+            });
+            format!("Given {}.", given.collect::<Vec<_>>().join(", "))
+        }
+        (_, Some(record)) => format!(
+            "Every order of the inputs is an array in the order of `INPUTS` or a [`{record}`]."
+        ),
+        _ => String::new(),
+    };
+    if entry.given.contains(&ArgumentKind::Drives) && cx.inputs().is_some() {
+        text += "\nThe efforts of the drives are an array in the order of `INPUTS`.";
+        if let Some((input, load)) = cx.mechanism.dynamics.driven() {
+            let [input, load] =
+                [&cx.mechanism.inputs[input.index()].name, &load.name].map(self::text);
+            text +=
+                &format!(" In the place of `{input}` stands the load `{load}`, which drives it.");
+        }
+    }
+    if entry.given.contains(&ArgumentKind::Loads) {
+        text += &force_docs::loads(cx);
+    }
+    if matches!(entry.result, Shape::Matrix { .. }) {
+        text += "\nA row an output in the order of `OUTPUTS`, a column an input in the order of \
+                 `INPUTS`; from the velocity equations.";
+    }
+    text
+}
+
+pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
+    let entry = cx.entry(id);
+    if cx.mechanism.is_stub {
+        return stub_docs::entry(entry);
+    }
+    lines(&format!(
+        "{}, {}and whether they may be used.\n\n{}\n\n\
+         Where the mask says no, the numbers mean nothing. Costs {}.",
+        entry.point.row().subject,
+        if cx.searches() { "" } else { "without a branch, " },
+        details(cx, entry),
+        costs_in_words::in_words(costs_in_words::of(cx, id)),
+    ))
+}
+
+pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
+    let entry = cx.entry(id);
+    if cx.mechanism.is_stub {
+        return stub_docs::entry(entry);
+    }
+    lines(&format!(
+        "{}.\n\n{}\n\nCosts {}.\n\n# Errors\n\
+         The group that cannot be assembled, is singular or was given an invalid length, or the \
+         input or result that is not finite.{}{}",
+        entry.point.row().subject,
+        details(cx, entry),
+        costs_in_words::in_words(costs_in_words::of(cx, id)),
+        exceptions(cx, entry),
+        if cx.searches() { NO_SOLUTION } else { "" },
+    ))
+}
+
+const NO_SOLUTION: &str = " `NoSolution` where an equation has no root of its mode between its ends, \
+     `SeveralDeadPoints` where that cannot be told.";
+
+/// The errors that only an entry point of this kind returns, or never returns.
+fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {
+    if entry.takes_cosine() {
+        return " `OffCircle` where the amplitude is no resolver's.";
+    }
+    entry.point.row().errors[usize::from(cx.inputs().is_some())]
+}
+
+pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
+    let entry = cx.entry(id);
+    if cx.mechanism.is_stub {
+        return stub_docs::entry(entry);
+    }
+    let has_list = entry.given.contains(&ArgumentKind::Drives) && cx.inputs().is_some();
+    let list =
+        if has_list { " Those of an array are `(&slice).into()` or `0.0.into()`." } else { "" };
+    lines(&format!(
+        "{}, at many poses.\n\n{} Each is a slice with a number for every pose, or one number \
+         for all.{list}\n\n\
+         Every component of the results goes to a slice of its own in `out`, as many long as there \
+         are poses, or empty where it is not wanted; `status` is such a slice too. Where \
+         `{}` would be an error, the numbers are NaN and `status` has the error's kind. `progress` is told \
+         how many poses are done, and how many there are, every few thousand poses; `()` tells nobody.\n\n\
+         # Errors\nTwo slices are not of one length; nothing was computed.",
+        entry.point.row().subject,
+        details(cx, entry),
+        entry.name(),
+    ))
+}
+
+pub(super) fn slow_path(entry: &Entry) -> TokenStream {
+    lines(&format!("Why `solve_{}` gave no answer, or the answer at a limit.", entry.name()))
+}
+
+pub(super) fn jacobian(cx: &Context<'_>) -> TokenStream {
+    let columns = cx.mechanism.inputs.iter().map(|input| text(&input.name)).collect();
+    let what = "∂outputs/∂inputs: the `coefficients` as a matrix";
+    lines(&matrix(cx, what, columns, " A group that no coefficient depends on is not looked at."))
+}
+
+pub(super) fn sensitivity(cx: &Context<'_>) -> TokenStream {
+    let columns = cx.numeric_params().iter().map(|param| text(&param.name)).collect();
+    let what = "∂outputs/∂params by automatic differentiation of the position";
+    lines(&matrix(cx, what, columns, ""))
+}
+
+fn matrix(cx: &Context<'_>, what: &str, columns: Vec<String>, beside: &str) -> String {
+    let list = |names: Vec<String>| format!("`{}`", names.join("`, `"));
+    let rows = labels::all_rows(cx.mechanism);
+    format!(
+        "{what}.\n\nRows: {}; columns: {}.\n\n\
+         # Errors\nThose of `position`; `Singular` where a derivative does not exist.{beside}",
+        list(rows),
+        list(columns),
+    )
+}

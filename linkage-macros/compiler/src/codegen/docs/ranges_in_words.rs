@@ -1,0 +1,65 @@
+//! The range of a crank as its dimensions determine it, in words.
+
+use crate::codegen::context::Context;
+use crate::codegen::identifiers::text;
+use crate::interface::entries::Analysis;
+use crate::model::mechanism::Rotatability;
+use crate::reach::turn::Range;
+
+/// Over which angles a crank turns, why, and what happens at change points.
+pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
+    let group = cx.mechanism.statement(found.group);
+    let crank = text(&cx.mechanism.links[found.crank.index()].name);
+    let angle = match found.input {
+        Some(input) => text(&cx.mechanism.inputs[input.index()].name),
+        None => format!("{crank}.angle"),
+    };
+    let range = match &found.turn.range {
+        Range::Full => format!("`{crank}` turns fully"),
+        Range::Within(intervals) => {
+            let words = intervals.iter().map(|[from, to]| match degrees(*to - *from).as_str() {
+                "0°" => format!("at {} alone", degrees(*from)),
+                _ => format!("from {} to {}", degrees(*from), degrees(*to)),
+            });
+            format!("`{angle}` {}", words.collect::<Vec<_>>().join(" or "))
+        }
+        Range::Never => "never".to_string(),
+    };
+    let mut line = format!("{group}: {range}; {}", found.reason);
+    let forward = Analysis::ForwardDynamics.by_value();
+    let moves_under_forces = cx.interface.find(forward).is_some();
+    if !found.turn.change_points.is_empty() {
+        let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
+        let angles = angles.join(" and ");
+        line += &format!(
+            ". At `{angle}` = {angles} both assembly modes are one: velocities are `Singular` there, \
+             and a constant mode does not follow the motion through; `Tracker` does"
+        );
+        if moves_under_forces {
+            line += ". Integrated by `state_rates` alone, a motion under forces jumps there to other \
+                     velocities and another energy: ask through `Tracker::follow`";
+        }
+    }
+    let has_ends = matches!(found.turn.range, Range::Within(_));
+    if has_ends && found.input.is_some() && moves_under_forces {
+        line += &format!(
+            ". The ends are dead points of `{angle}`: `{}` is `Singular` there, and the mass \
+             that `{angle}` moves grows beyond bounds towards them; take a crank that turns fully as input",
+            forward.name()
+        );
+    }
+    if found.is_parallelogram {
+        line += &format!(
+            ". These are the lengths of a parallelogram, which a constant mode turns into an \
+             antiparallelogram: make the rocker a crank with `relative_to: {crank}, angle: 0`"
+        );
+    }
+    line
+}
+
+/// An angle to a hundredth of a degree.
+fn degrees(angle: f64) -> String {
+    let hundredths = (angle * 100.0).round() / 100.0;
+    // Adding zero takes the sign off minus zero.
+    format!("{}°", hundredths + 0.0)
+}
