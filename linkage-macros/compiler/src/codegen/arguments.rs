@@ -1,27 +1,11 @@
-//! The arguments of an entry point or routine, and how its statements read them.
+//! The arguments of an entry point or routine: their names and their shapes, in every language.
 
-use std::collections::BTreeSet;
+use proc_macro2::{Ident, Span};
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote;
-
-use super::context::Context;
-use super::identifiers::{CIRCLE, SWEEP_ARGUMENTS, argument};
-use super::text::Text;
-use crate::interface::entries::{Analysis, ArgumentKind};
-use crate::ir::graph::Node;
-use crate::lower::label;
-use crate::lower::places::{ArgumentPart, Place, argument as argument_of, place};
-
-/// The names of the arguments of all functions, without repetition.
-pub(super) fn all_names(cx: &Context<'_>) -> impl Iterator<Item = String> {
-    let entries = cx.interface.entries.iter();
-    let names = entries.flat_map(|entry| Arguments::new(cx, &entry.given).names);
-    let told = (cx.inputs().is_some() && cx.interface.has(Analysis::EquationsOfMotion))
-        .then(|| Ident::new("given", Span::call_site()));
-    let names = names.chain(told).map(|name| name.to_string());
-    names.chain(SWEEP_ARGUMENTS.map(str::to_string)).collect::<BTreeSet<_>>().into_iter()
-}
+use super::identifiers::{CIRCLE, argument};
+use crate::interface::Interface;
+use crate::interface::entries::ArgumentKind;
+use crate::model::mechanism::Mechanism;
 
 /// The shape of an argument.
 pub(super) enum Form<'a> {
@@ -33,17 +17,6 @@ pub(super) enum Form<'a> {
 }
 
 impl Form<'_> {
-    pub(super) fn ty(&self, scalar: &TokenStream) -> TokenStream {
-        match self {
-            Self::Number => scalar.clone(),
-            Self::Record(record, _) => quote!(#record<#scalar>),
-            Self::List(count) => {
-                let count = Literal::usize_unsuffixed(*count);
-                quote!([#scalar; #count])
-            }
-        }
-    }
-
     /// The count of numbers that it holds.
     pub(super) fn numbers(&self) -> usize {
         match self {
@@ -62,18 +35,28 @@ pub(super) fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
     name
 }
 
-/// One input: an argument for its value, rate and second rate; several: a record for each.
-pub(super) struct Arguments<'a> {
-    cx: &'a Context<'a>,
-    given: &'a [ArgumentKind],
-    names: Vec<Ident>,
+/// The facts that the arguments of every entry point follow from.
+pub(super) struct Signatures<'a> {
+    pub mechanism: &'a Mechanism,
+    pub interface: &'a Interface,
+    /// The arguments for the value, the rate and the second rate of an input that is the only one.
+    only_input: Vec<Ident>,
 }
 
-impl<'a> Arguments<'a> {
-    pub(super) fn new(cx: &'a Context<'a>, given: &'a [ArgumentKind]) -> Self {
+impl<'a> Signatures<'a> {
+    pub(super) fn new(mechanism: &'a Mechanism, interface: &'a Interface) -> Self {
+        let only_input = match &mechanism.inputs[..] {
+            [only] => ["", "_rate", "_acceleration"].map(|s| argument(&only.name, s)).to_vec(),
+            _ => Vec::new(),
+        };
+        Self { mechanism, interface, only_input }
+    }
+
+    /// The arguments of an entry point or routine that is given this.
+    pub(super) fn arguments<'s>(&'s self, given: &'s [ArgumentKind]) -> Arguments<'s> {
         let plain = |name| Ident::new(name, Span::call_site());
-        let order = |nth: usize| match cx.inputs() {
-            None => cx.names.only_input[nth].clone(),
+        let order = |nth: usize| match self.interface.input_record() {
+            None => self.only_input[nth].clone(),
             Some(_) => plain(["inputs", "rates", "accelerations"][nth]),
         };
         let mut names: Vec<Ident> = Vec::new();
@@ -84,7 +67,7 @@ impl<'a> Arguments<'a> {
                 ArgumentKind::Acceleration => order(2),
                 ArgumentKind::Cosine => plain(CIRCLE[0]),
                 ArgumentKind::Sine => plain(CIRCLE[1]),
-                ArgumentKind::Loads => match &cx.mechanism.dynamics.loads[..] {
+                ArgumentKind::Loads => match &self.mechanism.dynamics.loads[..] {
                     [only] => clear_of(&names, argument(&only.name, "")),
                     _ => clear_of(&names, plain("loads")),
                 },
@@ -92,44 +75,29 @@ impl<'a> Arguments<'a> {
             };
             names.push(name);
         }
-        Self { cx, given, names }
+        Arguments { of: self, given, names }
     }
 
     /// Those of a function that only generated code calls, for formulas that are written as text: the
     /// names have nothing of the tokens that the user may have had a macro write.
-    pub(super) fn with_call_site_spans(cx: &'a Context<'a>, given: &'a [ArgumentKind]) -> Self {
-        let mut arguments = Self::new(cx, given);
+    pub(super) fn with_call_site_spans<'s>(&'s self, given: &'s [ArgumentKind]) -> Arguments<'s> {
+        let mut arguments = self.arguments(given);
         arguments.names.iter_mut().for_each(|name| name.set_span(Span::call_site()));
         arguments
     }
+}
 
+/// One input: an argument for its value, rate and second rate; several: a record for each.
+pub(super) struct Arguments<'a> {
+    pub of: &'a Signatures<'a>,
+    pub given: &'a [ArgumentKind],
+    names: Vec<Ident>,
+}
+
+impl<'a> Arguments<'a> {
     /// The arguments as a call passes them on.
     pub(super) fn names(&self) -> &[Ident] {
         &self.names
-    }
-
-    /// The declarations of the arguments in a public function, for numbers of this type.
-    pub(super) fn declared(&self, scalar: &TokenStream) -> Vec<TokenStream> {
-        let declare = |(name, form): (&Ident, Form<'_>)| match form {
-            Form::Record(record, _) => {
-                let (inputs, ty) = (self.cx.paths.item("Inputs"), quote!(#record<#scalar>));
-                quote!(#name: impl #inputs<#ty>)
-            }
-            form => {
-                let ty = form.ty(scalar);
-                quote!(#name: #ty)
-            }
-        };
-        self.parts().map(declare).collect()
-    }
-
-    /// The declarations of the arguments in a private function, which takes records as they are.
-    pub(super) fn received(&self, scalar: &TokenStream) -> Vec<TokenStream> {
-        let receive = |(name, form): (&Ident, Form<'_>)| {
-            let ty = form.ty(scalar);
-            quote!(#name: #ty)
-        };
-        self.parts().map(receive).collect()
     }
 
     /// Each argument with what it is.
@@ -138,10 +106,10 @@ impl<'a> Arguments<'a> {
     }
 
     fn form(&self, given: ArgumentKind) -> Form<'a> {
-        let mechanism = self.cx.mechanism;
+        let Signatures { mechanism, interface, .. } = *self.of;
         let inputs = || mechanism.inputs.iter().map(|input| &input.name).collect();
         let loads = || mechanism.dynamics.loads.iter().map(|load| &load.name).collect();
-        match (given, self.cx.inputs(), self.cx.loads()) {
+        match (given, interface.input_record(), interface.load_record()) {
             (ArgumentKind::Loads, _, Some(record)) => Form::Record(record, loads()),
             (ArgumentKind::Drives, Some(_), _) => Form::List(mechanism.inputs.len()),
             (ArgumentKind::Loads, _, None) | (_, None, _) => Form::Number,
@@ -152,49 +120,5 @@ impl<'a> Arguments<'a> {
     /// True if a public function converts an argument into a record.
     pub(super) fn has_records(&self) -> bool {
         self.parts().any(|(_, form)| matches!(form, Form::Record(..)))
-    }
-
-    /// Makes records of what a public function was given; nothing for plain numbers.
-    pub(super) fn converted(&self, scalar: &TokenStream) -> TokenStream {
-        let into = self.cx.paths.item("Into");
-        let convert = |(name, form): (&Ident, Form<'_>)| {
-            let Form::Record(record, _) = form else { return None };
-            Some(quote!(let #name: #record<#scalar> = #into::into(#name);))
-        };
-        self.parts().filter_map(convert).collect()
-    }
-
-    /// Names the arguments that are not read, so that none counts as forgotten.
-    pub(super) fn unread(&self, reads: &[Node]) -> TokenStream {
-        let read: Vec<usize> =
-            reads.iter().filter_map(|&node| argument_of(self.given, node)).collect();
-        let unread = self.names.iter().enumerate().filter(|(i, _)| !read.contains(i));
-        unread.map(|(_, name)| quote!(let _ = #name;)).collect()
-    }
-
-    /// The expression that reads an input or a parameter.
-    pub(super) fn written(&self, node: Node) -> Option<String> {
-        let cx = self.cx;
-        Some(match place(cx.mechanism, cx.interface, self.given, node)? {
-            Place::Param(field) => format!("self.{field}"),
-            Place::Argument(at, ArgumentPart::All) => self.names[at].to_string(),
-            Place::Argument(at, ArgumentPart::Field(field)) => {
-                format!("{}.{field}", self.names[at])
-            }
-            Place::Argument(at, ArgumentPart::Index(index)) => {
-                format!("{}[{index}]", self.names[at])
-            }
-        })
-    }
-
-    /// A list of inputs and parameters, each with what an error calls it.
-    pub(super) fn labelled(&self, nodes: &[Node]) -> Text {
-        let mut list = Text::default();
-        let read = |&node: &Node| Some((self.written(node)?, label(self.cx.mechanism, node)?));
-        list.put("[").list(nodes.iter().filter_map(read), |to, (value, label)| {
-            to.put(&format!("({value}, {label:?})"));
-        });
-        list.put("]");
-        list
     }
 }

@@ -5,10 +5,10 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Drawing;
-use super::arguments::Arguments;
-use super::context::Context;
 use super::docs::words;
 use super::identifiers::{generated, text};
+use super::rust::context::Context;
+use super::rust::paths::Paths;
 use super::rust::{formulas, root_functions};
 use super::script::page;
 use crate::interface::entries::ArgumentKind;
@@ -45,13 +45,13 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
     let [drawn, plan_type, vec, result, error, place, place_open] =
         ["Drawn", "Plan", "Vec", "Result", "SolveError", "place", "place_open"].map(path);
     let routine = &cx.lowered.routines[PLACED];
-    let arguments = Arguments::new(cx, &[ArgumentKind::Value]);
+    let arguments = cx.signatures.arguments(&[ArgumentKind::Value]);
     let given = arguments.labelled(&routine.reads);
     let (q, checks, input) = (&arguments.names()[0], generated("checks_"), cx.input(float));
     let formulas = formulas::Call { routine: PLACED, stage: 0 }.under(cx, &quote!(#checks));
     let (without, str_) = (generated("without_"), cx.paths.item("str"));
     let unused = routine.reads.is_empty().then(|| quote!(let _ = #q;));
-    let (plan, followed) = (plan(cx), followed(cx));
+    let (plan, followed) = (plan(cx.mechanism, &cx.paths), followed(cx));
     quote! {
         impl #drawn for #name<#float> {
             type Input = #input;
@@ -114,8 +114,9 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
         ["Result", "Applied", "SolveError", "applied", "Drawn"].map(path);
     let float = &cx.names.scalar;
     let number = quote!(#float);
-    let arguments = Arguments::new(cx, &routine.given);
-    let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
+    let arguments = cx.signatures.arguments(&routine.given);
+    let (declared, converted) =
+        (arguments.declared(&cx.paths, &number), arguments.converted(&cx.paths, &number));
     let given = arguments.labelled(&routine.reads);
     let checks = generated("checks_");
     let formulas = formulas::Call { routine: APPLIED, stage: 0 }.under(cx, &quote!(#checks));
@@ -137,8 +138,8 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
 }
 
 /// Names and statements, ids being places in the lists of names.
-fn plan(cx: &Context<'_>) -> TokenStream {
-    let (mechanism, plan) = (cx.mechanism, cx.paths.item("Plan"));
+fn plan(mechanism: &Mechanism, paths: &Paths) -> TokenStream {
+    let plan = paths.item("Plan");
     let name = text(&mechanism.name);
     let docs = words(&mechanism.docs);
     let names = |names: Vec<&Ident>| {
@@ -148,8 +149,8 @@ fn plan(cx: &Context<'_>) -> TokenStream {
     let points = names(mechanism.points.iter().map(|point| &point.name).collect());
     let links = names(mechanism.links.iter().map(|link| &link.name).collect());
     let guides = names(mechanism.guides.iter().map(|guide| &guide.name).collect());
-    let springs = mechanism.dynamics.springs.iter().filter_map(|declared| spring(cx, declared));
-    let statements = mechanism.steps.iter().map(|step| statement(cx, step));
+    let springs = mechanism.dynamics.springs.iter().filter_map(|declared| spring(paths, declared));
+    let statements = mechanism.steps.iter().map(|step| statement(mechanism, paths, step));
     quote! {
         #plan {
             name: #name,
@@ -164,18 +165,18 @@ fn plan(cx: &Context<'_>) -> TokenStream {
 }
 
 /// The record of a spring between two points; none for a torsion spring.
-fn spring(cx: &Context<'_>, spring: &Spring) -> Option<TokenStream> {
+fn spring(paths: &Paths, spring: &Spring) -> Option<TokenStream> {
     let Ends::Points(ends) = spring.ends else { return None };
-    let (item, ends) = (cx.paths.item("Spring"), ends.map(|end| number(end.0)));
+    let (item, ends) = (paths.item("Spring"), ends.map(|end| number(end.0)));
     let kinds = [&spring.stiffness, &spring.damping].map(|number| !number.value.is_zero());
     Some(quote!(#item { ends: [#(#ends),*], kinds: [#(#kinds),*] }))
 }
 
-fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
-    let element = cx.paths.item("Element");
+fn statement(mechanism: &Mechanism, paths: &Paths, step: &Step) -> TokenStream {
+    let element = paths.item("Element");
     let on = |carrier: Carrier| match carrier {
-        Carrier::Ground => option(cx, None),
-        Carrier::Link(link) => option(cx, Some(link.0)),
+        Carrier::Ground => option(paths, None),
+        Carrier::Link(link) => option(paths, Some(link.0)),
     };
     match step {
         Step::Ground { point, .. } => {
@@ -190,19 +191,19 @@ fn statement(cx: &Context<'_>, step: &Step) -> TokenStream {
             let (point, carrier) = (number(point.0), on(*carrier));
             quote!(#element::Point(#point, #carrier))
         }
-        Step::Group(group) => self::group(cx, group),
+        Step::Group(group) => self::group(mechanism, paths, group),
     }
 }
 
-fn group(cx: &Context<'_>, group: &Group) -> TokenStream {
-    let [element, member] = ["Element", "Member"].map(|name| cx.paths.item(name));
+fn group(mechanism: &Mechanism, paths: &Paths, group: &Group) -> TokenStream {
+    let [element, member] = ["Element", "Member"].map(|name| paths.item(name));
     let members = group.outer.iter().enumerate().map(|(index, joint)| {
-        let (link, shape) = (number(group.links[index].0), shape(cx, group, index));
+        let (link, shape) = (number(group.links[index].0), shape(mechanism, group, index));
         let on = joint.point().map(|point| point.0).or(joint.guide().map(|guide| guide.0));
         let on = on.map(number);
         let turned = match &joint.drive {
             Some(Drive::Angle { angle, relative_to: Carrier::Ground })
-                if cx.mechanism.turns(angle) =>
+                if mechanism.turns(angle) =>
             {
                 Some(quote!(.turned()))
             }
@@ -210,19 +211,20 @@ fn group(cx: &Context<'_>, group: &Group) -> TokenStream {
         };
         quote!(#member::#shape(#link, #on)#turned)
     });
-    let (members, pin): (Vec<_>, _) = (members.collect(), option(cx, group.pin.map(|pin| pin.0)));
+    let (members, pin): (Vec<_>, _) =
+        (members.collect(), option(paths, group.pin.map(|pin| pin.0)));
     quote!(#element::Group(&[#(#members),*], #pin))
 }
 
 /// The word for the shape of a link, from its joints.
-fn shape(cx: &Context<'_>, group: &Group, index: usize) -> Ident {
+fn shape(mechanism: &Mechanism, group: &Group, index: usize) -> Ident {
     let link = group.links[index];
     let slides_in = group.inner.iter().find_map(|joint| match joint.slideway()? {
         Slideway::Guide(_) => None,
         Slideway::Bar(carrier) | Slideway::Slot { link: carrier, .. } => Some(*carrier),
     });
     let name = match (&group.lengths[index], slides_in, group.outer[index].guide()) {
-        (Some(length), ..) if cx.mechanism.moves(&length.value) => "cylinder",
+        (Some(length), ..) if mechanism.moves(&length.value) => "cylinder",
         (Some(_), ..) => "bar",
         (None, Some(carrier), Some(_)) if carrier == link => "yoke",
         (None, Some(carrier), None) if carrier == link => "slotted_bar",
@@ -237,8 +239,8 @@ fn number(id: u32) -> Literal {
     Literal::u32_unsuffixed(id)
 }
 
-fn option(cx: &Context<'_>, id: Option<u32>) -> TokenStream {
-    let [some, none] = ["Some", "None"].map(|name| cx.paths.item(name));
+fn option(paths: &Paths, id: Option<u32>) -> TokenStream {
+    let [some, none] = ["Some", "None"].map(|name| paths.item(name));
     match id.map(number) {
         Some(id) => quote!(#some(#id)),
         None => quote!(#none),

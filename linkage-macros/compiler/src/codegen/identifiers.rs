@@ -12,8 +12,6 @@ use crate::model::mechanism::Mechanism;
 /// The names that do not come with the interface.
 pub(super) struct GeneratedNames {
     pub solver: Ident,
-    /// The arguments for the value, the rate and the second rate of an input that is the only one.
-    pub only_input: Vec<Ident>,
     /// The type parameter of all of them: `T`.
     pub scalar: Ident,
     /// The type parameter that `lift` converts to: `U`.
@@ -24,15 +22,7 @@ impl GeneratedNames {
     pub(super) fn new(mechanism: &Mechanism) -> Self {
         // The struct itself has the span of the declaration; what uses it does not.
         let solver = used(&mechanism.name);
-        Self {
-            only_input: match &mechanism.inputs[..] {
-                [only] => ["", "_rate", "_acceleration"].map(|s| argument(&only.name, s)).to_vec(),
-                _ => Vec::new(),
-            },
-            scalar: clear_of("T", &solver),
-            lifted: clear_of("U", &solver),
-            solver,
-        }
+        Self { scalar: clear_of("T", &solver), lifted: clear_of("U", &solver), solver }
     }
 }
 

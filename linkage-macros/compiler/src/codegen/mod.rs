@@ -10,21 +10,17 @@
 //! | `docs` | what documentation says of each item, and comments of headers |
 //! | `printer` | the walk over a routine's statements, for every language |
 //! | `arguments` | the arguments of an entry point |
-//! | `identifiers`, `text`, `token_list` | names, and what code is written into |
-//! | `paths` | paths into the run-time crate, made nowhere else |
+//! | `identifiers`, `text` | names, and what code is written into |
 
 mod arguments;
 pub(crate) mod c;
-mod context;
 mod docs;
 mod drawing;
 mod identifiers;
-mod paths;
 mod printer;
 mod rust;
 mod script;
 mod text;
-mod token_list;
 
 #[cfg(test)]
 pub(crate) mod tests;

@@ -14,6 +14,8 @@ pub(crate) mod quantity;
 pub(crate) mod records;
 pub(crate) mod units_in_words;
 
+use proc_macro2::Ident;
+
 use crate::interface::entries::{Analysis, Entry, EntryPoint, EntryRow, Returns, Topic};
 use crate::interface::quantity::Quantity;
 use crate::interface::records::{Record, RecordId, RecordKind, Shape};
@@ -122,6 +124,16 @@ impl Interface {
 
     pub(crate) fn record(&self, id: RecordId) -> &Record {
         &self.records[id.index()]
+    }
+
+    /// The name of the record of several inputs.
+    pub(crate) fn input_record(&self) -> Option<&Ident> {
+        self.inputs.map(|id| &self.record(id).name)
+    }
+
+    /// The name of the record of several loads.
+    pub(crate) fn load_record(&self) -> Option<&Ident> {
+        self.loads.map(|id| &self.record(id).name)
     }
 
     /// The count of numbers in a result of this shape.

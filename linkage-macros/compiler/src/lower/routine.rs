@@ -346,6 +346,11 @@ impl Reading {
 }
 
 impl Lowered<'_> {
+    /// The source of an entry point's numbers.
+    pub(crate) fn compute(&self, id: EntryId) -> &Compute {
+        &self.entries[id.index()]
+    }
+
     /// True if an entry point compares the square of the angle, which its caller gives.
     pub(crate) fn takes_square(&self, id: EntryId) -> bool {
         let Compute::Own { asked, .. } = &self.entries[id.index()] else { return false };

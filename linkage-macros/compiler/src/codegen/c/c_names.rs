@@ -3,7 +3,7 @@
 use super::In;
 use super::c_identifiers::distinct;
 use super::header;
-use crate::codegen::arguments::{Arguments, Form};
+use crate::codegen::arguments::Form;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
 use crate::interface::entries::ArgumentKind;
@@ -52,7 +52,7 @@ impl In<'_> {
     /// The arguments of a function of our own: types in front, or the names alone.
     pub(super) fn declared(self, given: &[ArgumentKind]) -> Vec<String> {
         let own = self.has_params().then(|| format!("const {} *{PARAMETERS}", self.params_type()));
-        let arguments = Arguments::new(self.cx, given);
+        let arguments = self.signatures.arguments(given);
         let declare = |(given, (_, form)): (&ArgumentKind, _)| self.declare(&form, name_of(*given));
         own.into_iter().chain(given.iter().zip(arguments.parts()).map(declare)).collect()
     }
@@ -74,11 +74,11 @@ impl In<'_> {
     }
 
     pub(super) fn has_params(self) -> bool {
-        !self.cx.mechanism.params.is_empty()
+        !self.mechanism.params.is_empty()
     }
 
     pub(super) fn params_type(self) -> String {
-        self.width.type_name(&text(&self.cx.names.solver))
+        self.width.type_name(&text(&self.mechanism.name))
     }
 
     /// An argument, or a local, that holds a result of this shape.
@@ -87,7 +87,7 @@ impl In<'_> {
     }
 
     pub(super) fn result_type(self, shape: Shape) -> String {
-        header::type_of(self.cx, shape, self.width)
+        header::type_of(self.interface(), shape, self.width)
     }
 
     /// An argument through which a result is handed back.
@@ -100,7 +100,7 @@ impl In<'_> {
 
     /// The places of a result's numbers, in the order of the sinks.
     pub(super) fn components(self, shape: Shape, name: &str) -> Vec<String> {
-        let ways = self.cx.interface.components(shape);
+        let ways = self.interface().components(shape);
         ways.iter().map(|way| self.component(shape, way, name.to_string())).collect()
     }
 
@@ -123,10 +123,10 @@ impl In<'_> {
         match (step, shape) {
             (Component::Index(at), shape) => self.component(shape, rest, format!("{so_far}[{at}]")),
             (Component::Field(name), Shape::Record(id)) => {
-                let record = self.cx.record(id);
+                let record = self.interface().record(id);
                 let field = record.fields.iter().find(|field| field.name == name);
                 let shape = field.expect("a record has its fields").shape;
-                let name = field_of(self.cx.mechanism, record, &plain(name));
+                let name = field_of(self.mechanism, record, &plain(name));
                 self.component(shape, rest, format!("{so_far}.{name}"))
             }
             (Component::Field(name), shape) => {
@@ -137,7 +137,7 @@ impl In<'_> {
 
     /// The expression that reads an input, a load, a drive or a parameter among these arguments.
     pub(super) fn leaf(self, given: &[ArgumentKind], node: Node) -> Option<String> {
-        let (mechanism, interface) = (self.cx.mechanism, self.cx.interface);
+        let (mechanism, interface) = (self.mechanism, self.interface());
         Some(match place(mechanism, interface, given, node)? {
             Place::Param(field) => format!("{PARAMETERS}->{}", param(mechanism, &text(field))),
             Place::Argument(at, ArgumentPart::All) => name_of(given[at]).to_string(),

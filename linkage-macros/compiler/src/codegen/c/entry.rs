@@ -25,10 +25,10 @@ impl In<'_> {
 
     /// The fast path of an entry point that has formulas of its own.
     pub(super) fn core(self, id: EntryId, to: &mut String) {
-        let Compute::Own { routine, stage, asked } = self.cx.compute(id) else { return };
-        let (entry, routine) = (self.cx.entry(id), &self.cx.lowered.routines[*routine]);
+        let Compute::Own { routine, stage, asked } = self.lowered.compute(id) else { return };
+        let (entry, routine) = (self.interface().entry(id), &self.lowered.routines[*routine]);
         let mut list = self.declared(&entry.given);
-        if self.cx.lowered.takes_square(id) {
+        if self.lowered.takes_square(id) {
             list.push(format!("{} square", self.real()));
         }
         list.push(self.returned(entry.result, "to"));
@@ -96,8 +96,8 @@ impl In<'_> {
 
     /// The slow path of such an entry point. It writes the result where there is one.
     pub(super) fn diagnosis(self, id: EntryId, to: &mut String) {
-        let Compute::Own { routine, stage, asked } = self.cx.compute(id) else { return };
-        let (entry, routine) = (self.cx.entry(id), &self.cx.lowered.routines[*routine]);
+        let Compute::Own { routine, stage, asked } = self.lowered.compute(id) else { return };
+        let (entry, routine) = (self.interface().entry(id), &self.lowered.routines[*routine]);
         let mut list = self.declared(&entry.given);
         list.push(self.returned(entry.result, "to"));
         list.push("LinkageError *error".to_string());
@@ -130,7 +130,7 @@ impl In<'_> {
     fn named_given(self, entry: &Entry, asked: &FinitenessChecks, to: &mut String) -> usize {
         let named = |&node: &Node| {
             let value = self.leaf(&entry.given, node)?;
-            Some((value, label(self.cx.mechanism, node)?))
+            Some((value, label(self.mechanism, node)?))
         };
         let named: Vec<_> = asked.given.iter().filter_map(named).collect();
         if !named.is_empty() {
@@ -143,7 +143,7 @@ impl In<'_> {
     /// The test that the results are finite.
     fn results_finite(self, entry: &Entry, asked: &FinitenessChecks, given: &str) -> String {
         let components = self.components(entry.result, "found");
-        let all = labels::of_result(self.cx.interface, self.cx.mechanism, entry);
+        let all = labels::of_result(self.interface(), self.mechanism, entry);
         let wanted: Vec<usize> = match entry.result {
             Shape::Record(_) => (0..components.len()).collect(),
             _ => asked.results.clone(),
@@ -169,12 +169,12 @@ impl In<'_> {
 
     /// The function that returns the parameters as declared.
     pub(super) fn defaults(self, to: &mut String) {
-        let cx = self.cx;
+        let mechanism = self.mechanism;
         if !self.has_params() {
             return;
         }
-        let (ty, name) = (self.params_type(), default(&cx.names.solver, self.width));
-        let values = cx.mechanism.params.iter().map(|param| match &param.kind {
+        let (ty, name) = (self.params_type(), default(&mechanism.name, self.width));
+        let values = mechanism.params.iter().map(|param| match &param.kind {
             ParamKind::Number { default, .. } => self.number(default.to_f64(), default.to_f32()),
             ParamKind::Mode { default: Sign::Plus, .. } => "1".to_string(),
             ParamKind::Mode { default: Sign::Minus, .. } => "-1".to_string(),

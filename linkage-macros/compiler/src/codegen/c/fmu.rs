@@ -8,7 +8,7 @@ mod model_table;
 
 use super::c_identifiers::{Width, file_stem, snake_case};
 use super::{FRICTION, In, ROOT, rubs};
-use crate::codegen::context::Context;
+use crate::codegen::arguments::Signatures;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
 use crate::interface::dimensions::{effort_along, of_result};
@@ -88,12 +88,13 @@ pub(crate) fn generate(
     lowered: &Lowered<'_>,
     is_kinematic: bool,
 ) -> Vec<(String, String)> {
-    let cx = Context::new(mechanism, lowered);
-    let stem = snake_case(&text(&cx.names.solver));
-    let model = Model::new(In { cx: &cx, width: Width::Double, stem: &stem }, is_kinematic);
-    let own = format!("{}.c", file_stem(&text(&cx.names.solver)));
+    let (signatures, solver) =
+        (Signatures::new(mechanism, &lowered.interface), text(&mechanism.name));
+    let (stem, own) = (snake_case(&solver), format!("{}.c", file_stem(&solver)));
+    let to = In { mechanism, lowered, signatures: &signatures, width: Width::Double, stem: &stem };
+    let model = Model::new(to, is_kinematic);
     let sources = ["fmi3.c", "linkage_run.c", &own].into_iter();
-    let sources = sources.chain(cx.searches().then_some(ROOT));
+    let sources = sources.chain((!mechanism.unknowns.is_empty()).then_some(ROOT));
     let sources = sources.chain(rubs(lowered).then_some(FRICTION));
     let files: String =
         sources.map(|name| format!("      <SourceFile name=\"{name}\"/>\n")).collect();
@@ -112,7 +113,7 @@ pub(crate) fn generate(
 
 impl<'a> Model<'a> {
     fn new(to: In<'a>, is_kinematic: bool) -> Self {
-        let is_dynamic = !is_kinematic && of_drives(to.cx.interface).is_some();
+        let is_dynamic = !is_kinematic && of_drives(to.interface()).is_some();
         let time = Variable {
             name: "time".into(),
             role: Role::Time,
@@ -124,7 +125,7 @@ impl<'a> Model<'a> {
         model.add_inputs();
         model.add_efforts();
         model.first[PARAMETERS] = model.variables.len();
-        for param in &to.cx.mechanism.params {
+        for param in &to.mechanism.params {
             if let ParamKind::Number { dimension, default, .. } = &param.kind {
                 let measure = (*dimension, Order::Position);
                 model.add(text(&param.name), Role::Parameter, measure, default.to_f64());
@@ -143,7 +144,7 @@ impl<'a> Model<'a> {
 
     /// The inputs, their rates and their second rates.
     fn add_inputs(&mut self) {
-        let mechanism = self.to.cx.mechanism;
+        let mechanism = self.to.mechanism;
         let count = mechanism.inputs.len();
         for (order, ending) in Order::ALL.into_iter().zip(["", "_rate", "_acceleration"]) {
             let nth = kind(
@@ -169,7 +170,7 @@ impl<'a> Model<'a> {
 
     /// The efforts of the drives, and the loads.
     fn add_efforts(&mut self) {
-        let mechanism = self.to.cx.mechanism;
+        let mechanism = self.to.mechanism;
         self.first[kind(ArgumentKind::Drives)] = self.variables.len();
         let driven = if self.is_dynamic { &mechanism.inputs[..] } else { &[] };
         for input in driven {
@@ -177,7 +178,7 @@ impl<'a> Model<'a> {
             self.add(format!("drive of {}", text(&input.name)), Role::Input, measure, 0.0);
         }
         self.first[kind(ArgumentKind::Loads)] = self.variables.len();
-        if !self.is_dynamic && !self.to.cx.interface.has(Analysis::Forces) {
+        if !self.is_dynamic && !self.to.interface().has(Analysis::Forces) {
             return;
         }
         for load in &mechanism.dynamics.loads {
@@ -187,11 +188,11 @@ impl<'a> Model<'a> {
     }
 
     fn add_outputs(&mut self) {
-        let interface = self.to.cx.interface;
+        let interface = self.to.interface();
         for entry in SHOWN.iter().filter_map(|of| interface.find(of.by_value())) {
             let entry = interface.entry(entry);
             let group = Computed { entry, first: self.variables.len() };
-            let measures = of_result(interface, self.to.cx.mechanism, entry);
+            let measures = of_result(interface, self.to.mechanism, entry);
             for (name, measure) in self.names(entry).into_iter().zip(measures) {
                 self.add(name, Role::Output(self.groups.len()), measure, 0.0);
             }
@@ -201,9 +202,9 @@ impl<'a> Model<'a> {
 
     /// The names of a result's numbers. Errors call both parts of a direction by one name.
     fn names(&self, entry: &Entry) -> Vec<String> {
-        let cx = self.to.cx;
-        let labels = labels::of_result(cx.interface, cx.mechanism, entry);
-        let ways = cx.interface.components(entry.result);
+        let interface = self.to.interface();
+        let labels = labels::of_result(interface, self.to.mechanism, entry);
+        let ways = interface.components(entry.result);
         let name = |(label, way): (&String, Vec<Component>)| {
             let is_shared = labels.iter().filter(|other| *other == label).count() > 1;
             match (way.last(), label.rsplit_once('.')) {

@@ -6,16 +6,15 @@ use proc_macro2::Ident;
 use super::c_identifiers::{
     PARAMETERS, Width, arguments, default, distinct, file_stem, function, snake_case,
 };
-use crate::codegen::arguments::{Arguments, Form};
-use crate::codegen::context::Context;
+use crate::codegen::arguments::{Form, Signatures};
 use crate::codegen::docs::{self, force_docs};
 use crate::codegen::identifiers::text as plain;
 use crate::interface::entries::Entry;
-use crate::interface::labels;
 use crate::interface::quantity::Order;
 use crate::interface::records::{self, Field, RecordKind, Shape, Subject};
 use crate::interface::units_in_words::unit;
-use crate::model::mechanism::{Param, ParamKind};
+use crate::interface::{Interface, labels};
+use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 /// The part that all headers share: status codes, modes and the records that outputs are made of.
 pub(in crate::codegen) const SHARED: &str = include_str!("linkage.h");
@@ -40,41 +39,41 @@ pub(in crate::codegen) const JAMS: &str = "\
 ";
 
 /// The whole header, for numbers of these widths.
-pub(in crate::codegen) fn text(cx: &Context<'_>, widths: &[Width]) -> String {
-    let solver = plain(&cx.names.solver);
+pub(in crate::codegen) fn text(signatures: &Signatures<'_>, widths: &[Width]) -> String {
+    let Signatures { mechanism, interface, .. } = *signatures;
+    let solver = plain(&mechanism.name);
     let [stem, guard] = [snake_case(&solver), file_stem(&solver)].map(|stem| stem.to_uppercase());
-    let about = about(cx, &solver);
-    let no_solution = if cx.searches() { NO_SOLUTION } else { "" };
-    let jams = if cx.mechanism.dynamics.frictions.is_empty() { "" } else { JAMS };
+    let about = about(mechanism, &solver);
+    let no_solution = if mechanism.unknowns.is_empty() { "" } else { NO_SOLUTION };
+    let jams = if mechanism.dynamics.frictions.is_empty() { "" } else { JAMS };
     let mut header = format!(
         "{about}\n#ifndef {guard}_H\n#define {guard}_H\n\n\
          #include <stddef.h>\n#include <stdint.h>\n\n\
          #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{SHARED}\n{no_solution}{jams}\
          #define {stem}_INPUTS {}\n#define {stem}_OUTPUTS {}\n",
-        cx.columns(),
-        cx.rows(),
+        interface.columns, interface.rows,
     );
-    if has_forces(cx) {
+    if has_forces(interface) {
         header += &format!("\n{FORCES}");
     }
     for &width in widths {
-        header += &types(cx, width);
+        header += &types(mechanism, interface, width);
     }
     for &width in widths {
-        header += &functions(cx, width);
+        header += &functions(signatures, width);
     }
     header + &format!("\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard}_H */\n")
 }
 
 /// True if some function hands back forces.
-fn has_forces(cx: &Context<'_>) -> bool {
-    let mut forces = cx.interface.records.iter().filter(|of| of.kind == RecordKind::Forces);
-    forces.any(|of| cx.interface.is_used(of))
+fn has_forces(interface: &Interface) -> bool {
+    let mut forces = interface.records.iter().filter(|of| of.kind == RecordKind::Forces);
+    forces.any(|of| interface.is_used(of))
 }
 
-fn about(cx: &Context<'_>, solver: &str) -> String {
+fn about(mechanism: &Mechanism, solver: &str) -> String {
     let mut lines = vec![format!("{solver}, generated from its declaration in Rust; do not edit.")];
-    lines.extend(docs::own_lines(&cx.mechanism.docs).map(|line| line.trim().to_string()));
+    lines.extend(docs::own_lines(&mechanism.docs).map(|line| line.trim().to_string()));
     lines.extend(
         [
             "",
@@ -121,16 +120,16 @@ impl CStruct {
 }
 
 /// The types of one width.
-fn types(cx: &Context<'_>, width: Width) -> String {
-    let parameters = (!cx.mechanism.params.is_empty()).then(|| parameters(cx, width));
-    let records = cx.interface.records.iter();
-    let returned = records.filter(|record| cx.interface.is_used(record));
-    let records = returned.map(|of| record(cx, width, of));
-    parameters.into_iter().chain(records).map(|record| record.text(&cx.names.solver)).collect()
+fn types(mechanism: &Mechanism, interface: &Interface, width: Width) -> String {
+    let parameters = (!mechanism.params.is_empty()).then(|| parameters(mechanism, width));
+    let records = interface.records.iter();
+    let returned = records.filter(|record| interface.is_used(record));
+    let records = returned.map(|of| record(mechanism, interface, width, of));
+    parameters.into_iter().chain(records).map(|record| record.text(&mechanism.name)).collect()
 }
 
-fn parameters(cx: &Context<'_>, width: Width) -> CStruct {
-    let solver = plain(&cx.names.solver);
+fn parameters(mechanism: &Mechanism, width: Width) -> CStruct {
+    let solver = plain(&mechanism.name);
     let field = |param: &Param| {
         let name = plain(&param.name);
         let (ty, about) = match &param.kind {
@@ -145,17 +144,22 @@ fn parameters(cx: &Context<'_>, width: Width) -> CStruct {
     CStruct {
         about: format!("The parameters of {solver}."),
         name: width.type_name(&solver),
-        fields: cx.mechanism.params.iter().map(field).collect(),
+        fields: mechanism.params.iter().map(field).collect(),
     }
 }
 
-fn record(cx: &Context<'_>, width: Width, of: &records::Record) -> CStruct {
-    let words = of.kind.in_words(cx.mechanism).in_c;
-    let about = words.replace('@', &cx.names.solver.to_string());
+fn record(
+    mechanism: &Mechanism,
+    interface: &Interface,
+    width: Width,
+    of: &records::Record,
+) -> CStruct {
+    let words = of.kind.in_words(mechanism).in_c;
+    let about = words.replace('@', &mechanism.name.to_string());
     let field = |field: &Field| {
-        let ty = type_of(cx, field.shape, width);
+        let ty = type_of(interface, field.shape, width);
         let name = plain(&field.name);
-        (ty, name, about_field(cx, field.subject), dimensions(field.shape))
+        (ty, name, about_field(mechanism, field.subject), dimensions(field.shape))
     };
     let fields = of.fields.iter().map(field).collect();
     CStruct { about, name: width.type_name(&plain(&of.name)), fields }
@@ -171,9 +175,9 @@ pub(in crate::codegen) fn dimensions(shape: Shape) -> String {
 }
 
 /// The type of a field.
-pub(in crate::codegen) fn type_of(cx: &Context<'_>, shape: Shape, width: Width) -> String {
+pub(in crate::codegen) fn type_of(interface: &Interface, shape: Shape, width: Width) -> String {
     match shape {
-        Shape::Record(record) => width.type_name(&plain(&cx.record(record).name)),
+        Shape::Record(record) => width.type_name(&plain(&interface.record(record).name)),
         Shape::Quantity(quantity, order) => match quantity.layout(order).record {
             Some(record) => width.shared_type_name(record),
             None => width.in_c().to_string(),
@@ -182,22 +186,24 @@ pub(in crate::codegen) fn type_of(cx: &Context<'_>, shape: Shape, width: Width) 
     }
 }
 
-fn about_field(cx: &Context<'_>, subject: Subject) -> String {
+fn about_field(mechanism: &Mechanism, subject: Subject) -> String {
     match subject {
         Subject::Input(index) => {
-            let unit = unit(cx.mechanism.inputs[index].dimension, Order::Position);
+            let unit = unit(mechanism.inputs[index].dimension, Order::Position);
             format!("In {unit}, its rates in {unit}/s and {unit}/s²")
         }
-        Subject::Output(index, order) => docs::describe(cx, &cx.mechanism.outputs[index], order),
+        Subject::Output(index, order) => {
+            docs::describe(mechanism, &mechanism.outputs[index], order)
+        }
         Subject::Outputs(Order::Position) => "In m and rad".to_string(),
         Subject::Outputs(Order::Velocity) => "In m/s and rad/s".to_string(),
         Subject::Outputs(Order::Acceleration) => "In m/s² and rad/s²".to_string(),
         Subject::Load(index) => {
-            format!("In {}", unit(cx.mechanism.dynamics.loads[index].dimension, Order::Position))
+            format!("In {}", unit(mechanism.dynamics.loads[index].dimension, Order::Position))
         }
-        Subject::Effort(index) => force_docs::describe(cx, index),
+        Subject::Effort(index) => force_docs::describe(mechanism, index),
         Subject::Efforts(first) => {
-            format!("Forces of {}", plain(&cx.mechanism.dynamics.asked[first].owner))
+            format!("Forces of {}", plain(&mechanism.dynamics.asked[first].owner))
         }
         Subject::KineticEnergy | Subject::PotentialEnergy => "In J".to_string(),
         Subject::Mass => "Row by row; along a length in kg, about an angle in kg*m^2".to_string(),
@@ -206,45 +212,47 @@ fn about_field(cx: &Context<'_>, subject: Subject) -> String {
 }
 
 /// The functions of one width.
-fn functions(cx: &Context<'_>, width: Width) -> String {
-    let solver = &cx.names.solver;
+fn functions(signatures: &Signatures<'_>, width: Width) -> String {
+    let Signatures { mechanism, interface, .. } = *signatures;
+    let solver = &mechanism.name;
     let mut text = String::new();
-    if !cx.mechanism.params.is_empty() {
+    if !mechanism.params.is_empty() {
         let (ty, name) = (width.type_name(&plain(solver)), default(solver, width));
         let about = comment(&["The parameters as declared.".to_string()], "");
         text += &format!("\n{about}{ty} {name}(void);\n");
     }
-    let entries = cx.interface.entries.iter();
-    text + &entries.map(|entry| prototype(cx, entry, width)).collect::<String>()
+    let entries = interface.entries.iter();
+    text + &entries.map(|entry| prototype(signatures, entry, width)).collect::<String>()
 }
 
-fn prototype(cx: &Context<'_>, of: &Entry, width: Width) -> String {
-    let (given, answer) = (Arguments::new(cx, &of.given), of.point.answer());
+fn prototype(signatures: &Signatures<'_>, of: &Entry, width: Width) -> String {
+    let Signatures { mechanism, interface, .. } = *signatures;
+    let (given, answer) = (signatures.arguments(&of.given), of.point.answer());
     let fixed = [PARAMETERS, answer, "error"];
-    let names = arguments(&cx.names.solver, fixed, given.names().iter().map(plain));
+    let names = arguments(&mechanism.name, fixed, given.names().iter().map(plain));
     let inputs = given.parts().zip(&names[3..]).map(|((_, form), name)| match form {
         Form::Record(record, _) => format!("const {} *{name}", width.type_name(&plain(record))),
         Form::Number => format!("{} {name}", width.in_c()),
         Form::List(count) => format!("const {} {name}[{count}]", width.in_c()),
     });
-    let parameters = (!cx.mechanism.params.is_empty())
-        .then(|| format!("const {} *{}", width.type_name(&plain(&cx.names.solver)), names[0]));
+    let parameters = (!mechanism.params.is_empty())
+        .then(|| format!("const {} *{}", width.type_name(&plain(&mechanism.name)), names[0]));
     let list: Vec<String> = parameters
         .into_iter()
         .chain(inputs)
-        .chain([answer_argument(cx, of, width), "LinkageError *error".to_string()])
+        .chain([answer_argument(interface, of, width), "LinkageError *error".to_string()])
         .collect();
     let mut about = vec![format!("{}.", of.point.row().subject)];
     if matches!(of.result, Shape::Matrix { .. }) {
-        about.push(format!("Row by row: {}.", labels::all_rows(cx.mechanism).join(", ")));
+        about.push(format!("Row by row: {}.", labels::all_rows(mechanism).join(", ")));
     }
-    let (about, name) = (comment(&about, ""), function(&cx.names.solver, of, width));
+    let (about, name) = (comment(&about, ""), function(&mechanism.name, of, width));
     format!("\n{about}LinkageStatus {name}({});\n", list.join(", "))
 }
 
 /// The parameter through which C receives the answer.
-fn answer_argument(cx: &Context<'_>, of: &Entry, width: Width) -> String {
-    let (name, ty) = (of.point.answer(), type_of(cx, of.result, width));
+fn answer_argument(interface: &Interface, of: &Entry, width: Width) -> String {
+    let (name, ty) = (of.point.answer(), type_of(interface, of.result, width));
     match of.result {
         Shape::Matrix { .. } | Shape::List(_) => format!("{ty} {name}{}", dimensions(of.result)),
         Shape::Number | Shape::Quantity(..) | Shape::Record(_) => format!("{ty} *{name}"),

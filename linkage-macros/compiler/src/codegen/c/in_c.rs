@@ -56,7 +56,7 @@ impl Dialect for InC<'_> {
     }
 
     fn constant(&self, node: Node, to: &mut Text) {
-        let value = |constant| self.to.cx.graph().value(constant);
+        let value = |constant| self.to.lowered.program.graph.value(constant);
         to.put(&match node {
             Node::Low(low) => self.to.number(value(low).low_f64(), value(low).low_f32()),
             Node::Constant(of) => self.to.number(value(of).to_f64(), value(of).to_f32()),
@@ -65,7 +65,7 @@ impl Dialect for InC<'_> {
     }
 
     fn mode(&self, of: u32, to: &mut Text) {
-        let mechanism = self.to.cx.mechanism;
+        let mechanism = self.to.mechanism;
         let field = param(mechanism, &text(&mechanism.params[of as usize].name));
         to.put(&format!("({}){PARAMETERS}->{field}", self.to.real()));
     }
@@ -273,7 +273,7 @@ fn diagnosed(printer: &Printer<'_, InC<'_>>, condition: &Condition, to: &mut Tex
     if row.reads_operands {
         condition.operands.iter().for_each(|&operand| printer.value(operand, call.put(", ")));
     }
-    let group = &dialect.to.cx.program().groups[condition.group as usize];
+    let group = &dialect.to.lowered.program.groups[condition.group as usize];
     call.put(", ").put(&quoted(group));
     // The word of an equation is its unit, which no status tells.
     let word = condition.check.word().filter(|_| !condition.check.is_of_both_paths());

@@ -19,8 +19,9 @@ mod two_paths;
 
 use self::c_identifiers::{Width, file_stem, snake_case};
 use self::selection::Selection;
-use super::context::Context;
+use super::arguments::Signatures;
 use super::identifiers::text;
+use crate::interface::Interface;
 use crate::lower::routine::{Instruction, Lowered};
 use crate::model::mechanism::Mechanism;
 
@@ -32,8 +33,8 @@ pub(crate) fn generate(
     lowered: &Lowered<'_>,
     selection: &Selection,
 ) -> Vec<(String, String)> {
-    let cx = Context::new(mechanism, lowered);
-    let solver = text(&cx.names.solver);
+    let signatures = Signatures::new(mechanism, &lowered.interface);
+    let solver = text(&mechanism.name);
     let [stem, file] = [snake_case(&solver), file_stem(&solver)];
     let mut source = format!(
         "/* {file}.c: the solver of {solver}, printed by linkage from its declaration; do not edit.\n *\n\
@@ -44,16 +45,16 @@ pub(crate) fn generate(
     for &width in &selection.widths {
         let without = width.excluded();
         source += &format!("\n#ifndef {without}\n");
-        In { cx: &cx, width, stem: &stem }.all(&mut source);
+        In { mechanism, lowered, signatures: &signatures, width, stem: &stem }.all(&mut source);
         source += &format!("\n#endif /* {without} */\n");
     }
     let mut files = vec![
-        (format!("{file}.h"), header::text(&cx, &selection.widths)),
+        (format!("{file}.h"), header::text(&signatures, &selection.widths)),
         (format!("{file}.c"), source),
         ("linkage_run.h".to_string(), run_time::header()),
         ("linkage_run.c".to_string(), run_time::source().to_string()),
     ];
-    if cx.searches() {
+    if !mechanism.unknowns.is_empty() {
         files.push((ROOT.to_string(), run_time::root_source()));
     }
     if rubs(lowered) {
@@ -79,26 +80,31 @@ fn rubs(lowered: &Lowered<'_>) -> bool {
 /// The printer of numbers of one width.
 #[derive(Clone, Copy)]
 struct In<'a> {
-    cx: &'a Context<'a>,
+    mechanism: &'a Mechanism,
+    lowered: &'a Lowered<'a>,
+    signatures: &'a Signatures<'a>,
     width: Width,
     stem: &'a str,
 }
 
-impl In<'_> {
+impl<'a> In<'a> {
     fn all(self, to: &mut String) {
-        let cx = self.cx;
         self.roots(to);
-        for routine in &cx.lowered.routines {
+        for routine in &self.lowered.routines {
             self.routine(routine, to);
         }
-        for id in cx.entries() {
+        for id in self.interface().ids() {
             self.core(id, to);
             self.diagnosis(id, to);
         }
         self.defaults(to);
-        for id in cx.entries() {
+        for id in self.interface().ids() {
             self.entry(id, to);
         }
+    }
+
+    fn interface(self) -> &'a Interface {
+        &self.lowered.interface
     }
 
     /// The number's type.

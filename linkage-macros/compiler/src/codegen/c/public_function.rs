@@ -5,7 +5,7 @@ use super::In;
 use super::c_identifiers::{PARAMETERS as MECHANISM, arguments, function};
 use super::c_names::{is_array, param, quoted};
 use super::two_paths::indented;
-use crate::codegen::arguments::{Arguments, Form};
+use crate::codegen::arguments::Form;
 use crate::codegen::identifiers::text;
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
@@ -15,12 +15,12 @@ use crate::model::mechanism::ParamKind;
 impl In<'_> {
     /// The public function.
     pub(super) fn entry(self, id: EntryId, to: &mut String) {
-        let entry = self.cx.entry(id);
+        let entry = self.interface().entry(id);
         let call = PublicFunction::new(self, id);
         let mut body = String::new();
-        match self.cx.compute(id) {
+        match self.lowered.compute(id) {
             Compute::Delegate { entry: velocity, given: ArgumentAdapter::UnitRate } => {
-                call.at_unit_rate(self.cx.entry(*velocity), &mut body);
+                call.at_unit_rate(self.interface().entry(*velocity), &mut body);
             }
             Compute::Delegate { entry: other, given: ArgumentAdapter::CosineAndSine } => {
                 call.begin(&mut body);
@@ -37,7 +37,7 @@ impl In<'_> {
         }
         *to += &format!(
             "\nLinkageStatus {}({})\n{{\n{}}}\n",
-            function(&self.cx.names.solver, entry, self.width),
+            function(&self.mechanism.name, entry, self.width),
             call.declared.join(", "),
             indented(&body)
         );
@@ -62,13 +62,13 @@ struct PublicFunction<'a> {
 
 impl<'a> PublicFunction<'a> {
     fn new(to: In<'a>, id: EntryId) -> Self {
-        let entry = to.cx.entry(id);
-        let given = Arguments::new(to.cx, &entry.given);
+        let entry = to.interface().entry(id);
+        let given = to.signatures.arguments(&entry.given);
         let answer = entry.point.answer();
         let own = ["result", "ok", "cosine", "sine"].map(str::to_string);
         let count = 3 + given.names().len();
         let others = given.names().iter().map(text).chain(own);
-        let all = arguments(&to.cx.names.solver, [MECHANISM, answer, "error"], others);
+        let all = arguments(&to.mechanism.name, [MECHANISM, answer, "error"], others);
         let (mut declared, mut names) = (Vec::new(), Vec::new());
         let mut pointers = vec![(answer.to_string(), answer.to_string())];
         if to.has_params() {
@@ -91,7 +91,7 @@ impl<'a> PublicFunction<'a> {
         let is_via = |by: &Compute| {
             matches!(by, Compute::Delegate { given: ArgumentAdapter::CosineAndSine, .. })
         };
-        let makes_cosine = entry.takes_cosine() || is_via(to.cx.compute(id));
+        let makes_cosine = entry.takes_cosine() || is_via(to.lowered.compute(id));
         Self { to, entry, declared, names, pointers, answer, own, makes_cosine }
     }
 
@@ -109,7 +109,7 @@ impl<'a> PublicFunction<'a> {
                 quoted(label)
             );
         }
-        let mechanism = self.to.cx.mechanism;
+        let mechanism = self.to.mechanism;
         for mode in &mechanism.params {
             if let ParamKind::Mode { .. } = mode.kind {
                 let name = text(&mode.name);
@@ -160,9 +160,9 @@ impl<'a> PublicFunction<'a> {
 
     fn by_angle(&self, other: EntryId, body: &mut String) {
         let [_, ok, cosine, sine] = &self.own;
-        let (ending, own) = (self.to.ending(), self.to.cx.entry(other));
+        let (ending, own) = (self.to.ending(), self.to.interface().entry(other));
         let angle = &self.names[usize::from(self.to.has_params())];
-        let takes_square = self.to.cx.lowered.takes_square(other);
+        let takes_square = self.to.lowered.takes_square(other);
         let square = takes_square.then(|| format!("{angle} * {angle}"));
         let (list, core) = (self.by_cosine(1), self.to.core_name(own));
         *body += &format!("linkage_sin_cos_near{ending}({angle}, &{sine}, &{cosine});\n");
@@ -183,7 +183,7 @@ impl<'a> PublicFunction<'a> {
         let [_, ok, cosine, sine] = &self.own;
         let (ending, at) = (self.to.ending(), usize::from(self.to.has_params()));
         let (cos, sin) = (&self.names[at], &self.names[at + 1]);
-        let takes_square = self.to.cx.lowered.takes_square(id);
+        let takes_square = self.to.lowered.takes_square(id);
         // A sum with −0 is the other number, whatever it is.
         let square = takes_square.then(|| self.to.number(-0.0, -0.0));
         let (list, core) = (self.by_cosine(2), self.to.core_name(self.entry));
@@ -198,13 +198,13 @@ impl<'a> PublicFunction<'a> {
     }
 
     fn input(&self) -> String {
-        text(&self.to.cx.mechanism.inputs[0].name)
+        text(&self.to.mechanism.inputs[0].name)
     }
 
     /// The velocities at a rate of one, by the public function.
     fn at_unit_rate(&self, velocity: &Entry, body: &mut String) {
         let result = &self.own[0];
-        let public = function(&self.to.cx.names.solver, velocity, self.to.width);
+        let public = function(&self.to.mechanism.name, velocity, self.to.width);
         *body += &format!("{};\nLinkageStatus status;\n", self.to.result(velocity.result, result));
         *body += &format!(
             "if ({0} == NULL) {{\nreturn linkage_because(error, LINKAGE_NULL_POINTER, {1});\n}}\n",

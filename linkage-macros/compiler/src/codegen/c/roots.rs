@@ -17,7 +17,7 @@ use crate::lower::used::{Asks, Used};
 impl<'a> In<'a> {
     /// The functions of the roots that printed routines ask for.
     pub(super) fn roots(self, to: &mut String) {
-        for (nth, search) in self.cx.lowered.searches.iter().enumerate() {
+        for (nth, search) in self.lowered.searches.iter().enumerate() {
             if self.is_searched(nth) {
                 self.trial(search, to);
                 self.root(search, to);
@@ -26,7 +26,7 @@ impl<'a> In<'a> {
     }
 
     fn is_searched(self, nth: usize) -> bool {
-        let stages = self.cx.lowered.routines.iter().flat_map(|routine| &routine.stages);
+        let stages = self.lowered.routines.iter().flat_map(|routine| &routine.stages);
         stages.flat_map(|stage| &stage.statements).any(
             |statement| matches!(statement, Instruction::Find { search, .. } if *search == nth),
         )
@@ -49,7 +49,7 @@ impl<'a> In<'a> {
     }
 
     fn trial(self, search: &Search, to: &mut String) {
-        let used = Used::on(self.cx.lowered, &search.routine, Asks::Compares);
+        let used = Used::on(self.lowered, &search.routine, Asks::Compares);
         let printer = self.printer(search, &used);
         let mut lines = Text::default();
         self.given(&printer, search, |id| used.reads(id), &mut lines);
@@ -71,9 +71,9 @@ impl<'a> In<'a> {
     }
 
     fn root(self, search: &Search, to: &mut String) {
-        let used = Used::on(self.cx.lowered, &search.routine, Asks::Compares);
+        let used = Used::on(self.lowered, &search.routine, Asks::Compares);
         let (printer, sought) = (self.printer(search, &used), &search.sought);
-        let graph = &self.cx.program().graph;
+        let graph = &self.lowered.program.graph;
         let places = || sought.between.into_iter().chain(sought.near);
         let is_read =
             |id: Id| places().any(|place| search.routine.reading(graph, place).local() == Some(id));
@@ -90,8 +90,8 @@ impl<'a> In<'a> {
             if sign.is_none() { format!("{} trend, ", self.real()) } else { String::new() };
         let trend = sign.unwrap_or_else(|| "trend".to_string());
         let (ending, is_turn) = (self.ending(), u8::from(search.asks_for_a_turn));
-        let unknown = &self.cx.mechanism.unknowns[sought.unknown as usize];
-        let unknown = self.cx.mechanism.title_of_unknown(unknown);
+        let unknown = &self.mechanism.unknowns[sought.unknown as usize];
+        let unknown = self.mechanism.title_of_unknown(unknown);
         let [name, trial] = [self.root_name(search), self.trial_name(search)];
         let (real, unknown) = (self.real(), quoted(unknown));
         lines.put(&format!(
@@ -112,7 +112,7 @@ impl<'a> In<'a> {
     {
         let (asks, binding) = (Asks::Compares, self.width.binding());
         let dialect = InC { to: self, given: &[], asks, used, binding };
-        Printer { lowered: self.cx.lowered, routine: &search.routine, dialect }
+        Printer { lowered: self.lowered, routine: &search.routine, dialect }
     }
 
     /// Binds the values that no trial changes and that are read.
@@ -132,7 +132,7 @@ impl<'a> In<'a> {
     /// The trend that is passed to a search, where a parameter chooses it.
     pub(super) fn chosen_trend(self, search: &Search) -> String {
         let Some(of) = search.sought.trend.param() else { return String::new() };
-        let mechanism = self.cx.mechanism;
+        let mechanism = self.mechanism;
         let field = param(mechanism, &text(&mechanism.params[of as usize].name));
         format!("({}){PARAMETERS}->{field}, ", self.real())
     }

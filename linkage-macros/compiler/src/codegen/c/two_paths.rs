@@ -22,10 +22,10 @@ impl In<'_> {
     }
 
     fn on_path(self, routine: &Routine, asks: Asks, to: &mut String) {
-        let used = Used::on(self.cx.lowered, routine, asks);
+        let used = Used::on(self.lowered, routine, asks);
         let (given, binding) = (&routine.given, self.width.binding());
         let dialect = InC { to: self, given, asks, used: &used, binding };
-        let printer = Printer { lowered: self.cx.lowered, routine, dialect };
+        let printer = Printer { lowered: self.lowered, routine, dialect };
         let mut lines = Text::long();
         self.begin(&printer, &mut lines);
         let is_staged = routine.stages.len() > 1;
@@ -81,7 +81,7 @@ impl In<'_> {
 
     /// The arguments that none of these leaves is read from.
     fn unread(self, given: &[ArgumentKind], leaves: &[Node]) -> Vec<String> {
-        let (mechanism, interface) = (self.cx.mechanism, self.cx.interface);
+        let (mechanism, interface) = (self.mechanism, self.interface());
         let place = |&leaf: &Node| place(mechanism, interface, given, leaf);
         let first = usize::from(self.has_params());
         let reads = |at: usize| {
@@ -145,7 +145,9 @@ impl In<'_> {
     /// returns all of them in one record.
     fn targets(self, routine: &Routine, stage: usize, to: Destination) -> Vec<String> {
         let fields = match routine.result {
-            Shape::Record(record) if routine.stages.len() > 1 => &self.cx.record(record).fields,
+            Shape::Record(record) if routine.stages.len() > 1 => {
+                &self.interface().record(record).fields
+            }
             shape => return vec![to.whole(is_array(shape))],
         };
         let last = routine.stages.len() - 1;
@@ -171,7 +173,7 @@ impl In<'_> {
 
     /// An argument in place of rates that are not read.
     fn at_rest(self, given: ArgumentKind) -> String {
-        match (given, self.cx.inputs()) {
+        match (given, self.interface().input_record()) {
             (ArgumentKind::Rate | ArgumentKind::Acceleration, Some(_)) => "q".to_string(),
             _ => self.number(0.0, 0.0),
         }

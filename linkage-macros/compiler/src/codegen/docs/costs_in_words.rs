@@ -1,17 +1,10 @@
 //! The cost of a solver in words.
 
-use crate::codegen::context::Context;
-use crate::interface::EntryId;
 use crate::ir::cost::Operations;
 
 /// The most evaluations between two ends, in double and in single precision, as the run-time crate
 /// bounds them.
 pub(in crate::codegen) const MOST: [u32; 2] = [61, 32];
-
-/// The operations of an entry point.
-pub(in crate::codegen) fn of(cx: &Context<'_>, entry: EntryId) -> Operations {
-    cx.lowered.costs[entry.index()]
-}
 
 /// `20 additions, 31 multiplications and 1 square root`; `no operation` where it is free.
 pub(in crate::codegen) fn in_words(cost: Operations) -> String {

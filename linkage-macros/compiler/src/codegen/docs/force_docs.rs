@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 
 use super::doc_comments::{after, lines};
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
+use crate::interface::Interface;
 use crate::interface::dimensions::{effort_along, of_effort};
 use crate::interface::force_records::path;
 use crate::interface::quantity::Order;
@@ -20,8 +20,8 @@ pub(super) fn load(load: &Load) -> TokenStream {
 }
 
 /// Describes the form of the loads: a number, or an array or record of several.
-pub(super) fn loads(cx: &Context<'_>) -> String {
-    match (&cx.mechanism.dynamics.loads[..], cx.loads()) {
+pub(super) fn loads(mechanism: &Mechanism, interface: &Interface) -> String {
+    match (&mechanism.dynamics.loads[..], interface.load_record()) {
         ([only], _) => {
             let unit = unit(only.dimension, Order::Position);
             format!("\nThe load `{}` is in {unit}.", text(&only.name))
@@ -34,38 +34,38 @@ pub(super) fn loads(cx: &Context<'_>) -> String {
 }
 
 /// A field of the record of one owner.
-pub(super) fn effort(cx: &Context<'_>, index: usize) -> TokenStream {
-    let asked = &cx.mechanism.dynamics.asked[index];
-    after(&asked.docs, &format!("{}.", sentence(cx, asked)))
+pub(super) fn effort(mechanism: &Mechanism, index: usize) -> TokenStream {
+    let asked = &mechanism.dynamics.asked[index];
+    after(&asked.docs, &format!("{}.", sentence(mechanism, asked)))
 }
 
 /// The field of an owner.
-pub(super) fn owner(cx: &Context<'_>, first: usize) -> TokenStream {
-    let owner = text(&cx.mechanism.dynamics.asked[first].owner);
+pub(super) fn owner(mechanism: &Mechanism, first: usize) -> TokenStream {
+    let owner = text(&mechanism.dynamics.asked[first].owner);
     lines(&format!("Forces of `{owner}`."))
 }
 
 /// One effort in a list.
-pub(in crate::codegen) fn describe(cx: &Context<'_>, index: usize) -> String {
-    let asked = &cx.mechanism.dynamics.asked[index];
-    format!("`{}`: {}", path(asked), sentence(cx, asked))
+pub(in crate::codegen) fn describe(mechanism: &Mechanism, index: usize) -> String {
+    let asked = &mechanism.dynamics.asked[index];
+    format!("`{}`: {}", path(asked), sentence(mechanism, asked))
 }
 
-fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
-    let link = |id: LinkId| text(&cx.mechanism.links[id.index()].name);
+fn sentence(mechanism: &Mechanism, asked: &RequestedEffort) -> String {
+    let link = |id: LinkId| text(&mechanism.links[id.index()].name);
     match asked.effort {
         Effort::Input(id) => {
-            let input = &cx.mechanism.inputs[id.index()];
+            let input = &mechanism.inputs[id.index()];
             let (name, unit) = (text(&input.name), effort_unit(input.dimension));
             format!("effort of `{name}` in {unit}: the power that drives put in, over its rate")
         }
-        Effort::Pull => pull(cx),
+        Effort::Pull => pull(mechanism),
         Effort::Unknown(id) => {
-            let unknown = &cx.mechanism.unknowns[id.index()];
+            let unknown = &mechanism.unknowns[id.index()];
             let (name, unit) = (text(&unknown.name), effort_unit(unknown.dimension));
             format!("effort of a drive at `{name}` in {unit}, in place of the input's")
         }
-        Effort::Drive(id) => driven(cx, id),
+        Effort::Drive(id) => driven(mechanism, id),
         Effort::Push(id) => {
             format!(
                 "force in N that drives the length of `{}`; positive pushes its ends apart",
@@ -73,11 +73,11 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
             )
         }
         // A block that stands in for a link is not named.
-        Effort::Pin(_, joint) => reaction(cx, &text(&asked.owner), joint),
-        Effort::Bearing(id, joint) => bearing(cx, &link(id), joint),
-        Effort::Spring(id) => spring(cx, id),
-        Effort::Stop(id) => stop(cx, id)[0].to_string(),
-        Effort::Gap(id) => stop(cx, id)[1].to_string(),
+        Effort::Pin(_, joint) => reaction(mechanism, &text(&asked.owner), joint),
+        Effort::Bearing(id, joint) => bearing(mechanism, &link(id), joint),
+        Effort::Spring(id) => spring(mechanism, id),
+        Effort::Stop(id) => stop(mechanism, id)[0].to_string(),
+        Effort::Gap(id) => stop(mechanism, id)[1].to_string(),
         Effort::Shaking => {
             "what inertia puts on the ground, as if all links were one body, without \
                             weight and applied forces: force in N and, about the ground's origin, \
@@ -85,47 +85,44 @@ fn sentence(cx: &Context<'_>, asked: &RequestedEffort) -> String {
                 .to_string()
         }
         Effort::PinFriction(id, _) => friction(&link(id), asked.effort),
-        Effort::GuideFriction(by) => friction(&link(cx.mechanism.sliding(by)), asked.effort),
+        Effort::GuideFriction(by) => friction(&link(mechanism.sliding(by)), asked.effort),
         Effort::Losses => "power in W that friction takes at all joints".to_string(),
         Effort::Formula(_) => {
-            format!(
-                "formula of efforts, rates and loads, in {}",
-                unit_of(cx.mechanism, asked.effort)
-            )
+            format!("formula of efforts, rates and loads, in {}", unit_of(mechanism, asked.effort))
         }
         Effort::Guide(by) => format!(
             "normal force in N on `{0}` at the origin of its frame, along the normal of `{1}`, and \
              couple in N·m on `{0}`, both exerted by `{1}`",
-            link(cx.mechanism.sliding(by)),
+            link(mechanism.sliding(by)),
             text(&asked.field)
         ),
     }
 }
 
 /// A joint on which several stand.
-fn bearing(cx: &Context<'_>, link: &str, joint: PointId) -> String {
-    let standing = cx.mechanism.standing();
+fn bearing(mechanism: &Mechanism, link: &str, joint: PointId) -> String {
+    let standing = mechanism.standing();
     let others = standing.iter().filter(|(at, _)| *at == joint);
-    let name = |by: LinkId| text(cx.mechanism.links[by.index()].known_as());
+    let name = |by: LinkId| text(mechanism.links[by.index()].known_as());
     let others: Vec<_> = others.map(|&(_, by)| format!("`{}`", name(by))).collect();
-    let point = text(&cx.mechanism.points[joint.index()].name);
+    let point = text(&mechanism.points[joint.index()].name);
     let others = others.join(", ");
     format!("force in N on `{link}` at `{point}`, exerted by all that stand on it: {others}")
 }
 
 /// The load that drives an input.
-fn pull(cx: &Context<'_>) -> String {
-    let dynamics = &cx.mechanism.dynamics;
-    let unit = unit_of(cx.mechanism, Effort::Pull);
-    let input = dynamics.pulled.map(|input| text(&cx.mechanism.inputs[input.index()].name));
+fn pull(mechanism: &Mechanism) -> String {
+    let dynamics = &mechanism.dynamics;
+    let unit = unit_of(mechanism, Effort::Pull);
+    let input = dynamics.pulled.map(|input| text(&mechanism.inputs[input.index()].name));
     format!("load in {unit} that drives `{}`", input.unwrap_or_default())
 }
 
 /// The force on a link at a pin, and the body that exerts it.
-fn reaction(cx: &Context<'_>, on: &str, joint: PointId) -> String {
-    let link = |id: LinkId| text(&cx.mechanism.links[id.index()].name);
-    let point = text(&cx.mechanism.points[joint.index()].name);
-    let by = match cx.mechanism.owner(joint) {
+fn reaction(mechanism: &Mechanism, on: &str, joint: PointId) -> String {
+    let link = |id: LinkId| text(&mechanism.links[id.index()].name);
+    let point = text(&mechanism.points[joint.index()].name);
+    let by = match mechanism.owner(joint) {
         Some(Body::Ground) => "the ground".to_string(),
         Some(Body::Link(by)) => format!("`{}`", link(by)),
         _ => format!("the pin `{point}`"),
@@ -142,8 +139,8 @@ fn friction(link: &str, effort: Effort) -> String {
 }
 
 /// The force or couple of a stop, and its gap.
-fn stop(cx: &Context<'_>, id: StopId) -> [&'static str; 2] {
-    match cx.mechanism.dynamics.stops[id.index()].of.dimension() {
+fn stop(mechanism: &Mechanism, id: StopId) -> [&'static str; 2] {
+    match mechanism.dynamics.stops[id.index()].of.dimension() {
         Dimension::ANGLE => [
             "couple in N·m of the stop: positive turns its angle forwards",
             "angle in rad to the nearer end of the stop, negative beyond it",
@@ -156,17 +153,17 @@ fn stop(cx: &Context<'_>, id: StopId) -> [&'static str; 2] {
 }
 
 /// The force or torque of a spring, and the end on which it acts.
-fn spring(cx: &Context<'_>, id: SpringId) -> String {
-    let spring = &cx.mechanism.dynamics.springs[id.index()];
+fn spring(mechanism: &Mechanism, id: SpringId) -> String {
+    let spring = &mechanism.dynamics.springs[id.index()];
     match spring.ends {
         Ends::Points(points) => {
-            let [p, q] = points.map(|id| text(&cx.mechanism.points[id.index()].name));
+            let [p, q] = points.map(|id| text(&mechanism.points[id.index()].name));
             format!(
                 "force in N on `{q}`, away from `{p}`, and its opposite on `{p}`: positive pushes them apart"
             )
         }
         Ends::Bodies(bodies) => {
-            let [first, second] = bodies.map(|body| cx.mechanism.body_name(body));
+            let [first, second] = bodies.map(|body| mechanism.body_name(body));
             format!("couple in N·m on `{second}`, counter-clockwise, and its opposite on `{first}`")
         }
     }
@@ -186,8 +183,7 @@ fn effort_unit(dimension: Dimension) -> String {
 }
 
 /// The drive of a crank or a slider: its couple or force, and the body that it reacts against.
-fn driven(cx: &Context<'_>, id: LinkId) -> String {
-    let mechanism = cx.mechanism;
+fn driven(mechanism: &Mechanism, id: LinkId) -> String {
     let of = |id: LinkId| text(&mechanism.links[id.index()].name);
     let driven = mechanism.driven_as_drawn(id);
     let (name, group) = (of(driven), mechanism.group_with(id));

@@ -3,7 +3,6 @@
 use proc_macro2::Ident;
 
 use super::searches_in_words;
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::exact::Exact;
 use crate::model::mechanism::{
@@ -14,8 +13,7 @@ use crate::reach::absolute;
 use crate::syntax::anatomy::Class;
 
 /// The group with this index: `rrr BC, DC: lengths 632 mm and 374 mm, …`.
-pub(super) fn in_words(cx: &Context<'_>, index: usize) -> String {
-    let mechanism = cx.mechanism;
+pub(super) fn in_words(mechanism: &Mechanism, index: usize) -> String {
     let GroupName { keyword, title, .. } = &mechanism.groups[index];
     let words = Words { mechanism };
     let group = mechanism.group_steps().find(|group| group.id.index() == index);

@@ -14,14 +14,16 @@ use quote::quote;
 use syn::{Attribute, Expr, ExprLit, Lit, Meta, MetaNameValue};
 
 use self::doc_comments::{after, lines};
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::interface::entries::{ArgumentKind, Entry};
 use crate::interface::quantity::{Order, Quantity};
 use crate::interface::records::{Field, Record, Shape, Subject};
 use crate::interface::units_in_words::{per_time, unit};
-use crate::interface::{EntryId, labels};
-use crate::model::mechanism::{DeclaredOutput, Input, OutputKind, Param, ParamKind, Sign};
+use crate::interface::{EntryId, Interface, labels};
+use crate::lower::routine::Lowered;
+use crate::model::mechanism::{
+    DeclaredOutput, Input, Mechanism, OutputKind, Param, ParamKind, Sign,
+};
 use crate::syntax::anatomy::{ModeRow, Modes};
 
 /// The words of the user's comments, to be put behind our own.
@@ -48,13 +50,13 @@ pub(super) fn own_lines(own: &[Attribute]) -> impl Iterator<Item = String> {
 }
 
 /// The struct of the mechanism: the page a user lands on.
-pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
-    if cx.mechanism.is_stub {
-        return stub_docs::solver(cx);
+pub(super) fn solver(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStream {
+    if mechanism.is_stub {
+        return stub_docs::solver(mechanism);
     }
-    let mut page = String::from(match cx.searches() {
-        false => "Solver of position, velocity and acceleration in closed form.\n",
-        true => {
+    let mut page = String::from(match mechanism.unknowns.is_empty() {
+        true => "Solver of position, velocity and acceleration in closed form.\n",
+        false => {
             "Solver of position, velocity and acceleration: in closed form, but for what is searched.\n"
         }
     });
@@ -62,37 +64,37 @@ pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
         true => String::new(),
         false => format!("\n# {title}\n- {}\n", items.join("\n- ")),
     };
-    let inputs = cx.mechanism.inputs.iter().map(|input| {
+    let inputs = mechanism.inputs.iter().map(|input| {
         let unit = unit(input.dimension, Order::Position);
         format!("`{}` in {unit}{}", text(&input.name), quoted(&input.docs))
     });
     page += &section("Inputs", inputs.collect());
-    let outputs = cx.mechanism.outputs.iter();
+    let outputs = mechanism.outputs.iter();
+    page += &section(
+        "Outputs",
+        outputs.map(|output| describe(mechanism, output, Order::Position)).collect(),
+    );
+    let efforts = 0..mechanism.dynamics.asked.len();
     page +=
-        &section("Outputs", outputs.map(|output| describe(cx, output, Order::Position)).collect());
-    let efforts = 0..cx.mechanism.dynamics.asked.len();
-    page += &section("Forces", efforts.map(|index| force_docs::describe(cx, index)).collect());
-    let groups = cx.mechanism.groups.iter();
+        &section("Forces", efforts.map(|index| force_docs::describe(mechanism, index)).collect());
+    let groups = mechanism.groups.iter();
     page += &section(
         "Groups, in the order they are solved",
-        groups.enumerate().map(|(index, _)| groups_in_words::in_words(cx, index)).collect(),
+        groups.enumerate().map(|(index, _)| groups_in_words::in_words(mechanism, index)).collect(),
     );
-    page += &section("Searches, in every call", searches_in_words::in_words(cx));
-    let ranges = cx.mechanism.rotatabilities.iter();
-    page += &section("Range", ranges.map(|found| ranges_in_words::in_words(cx, found)).collect());
-    let costs = cx.entries().map(|entry| {
-        format!(
-            "`{}`: {}",
-            cx.entry(entry).name(),
-            costs_in_words::in_words(costs_in_words::of(cx, entry))
-        )
-    });
+    page += &section("Searches, in every call", searches_in_words::in_words(mechanism, lowered));
+    let ranges = mechanism.rotatabilities.iter();
+    let in_words = |found| ranges_in_words::in_words(mechanism, &lowered.interface, found);
+    page += &section("Range", ranges.map(in_words).collect());
+    let costs = lowered.interface.entries.iter().zip(&lowered.costs);
+    let costs = costs
+        .map(|(entry, cost)| format!("`{}`: {}", entry.name(), costs_in_words::in_words(*cost)));
     page += &section("Cost of one call", costs.collect());
-    after(&cx.mechanism.docs, &page)
+    after(&mechanism.docs, &page)
 }
 
-pub(super) fn param(cx: &Context<'_>, param: &Param) -> TokenStream {
-    if cx.mechanism.is_stub {
+pub(super) fn param(mechanism: &Mechanism, param: &Param) -> TokenStream {
+    if mechanism.is_stub {
         return stub_docs::param(param);
     }
     let line = match &param.kind {
@@ -123,22 +125,22 @@ fn input(input: &Input) -> TokenStream {
     after(&input.docs, &line)
 }
 
-pub(super) fn record(cx: &Context<'_>, record: &Record) -> TokenStream {
-    let words = record.kind.in_words(cx.mechanism).in_rust;
-    lines(&words.replace('@', &format!("[`{}`]", text(&cx.names.solver))))
+pub(super) fn record(mechanism: &Mechanism, record: &Record) -> TokenStream {
+    let words = record.kind.in_words(mechanism).in_rust;
+    lines(&words.replace('@', &format!("[`{}`]", text(&mechanism.name))))
 }
 
 /// A field of a record.
-pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
-    let of_mistakes = cx.mechanism.is_stub.then(|| stub_docs::field(cx, field));
+pub(super) fn field(mechanism: &Mechanism, field: &Field) -> TokenStream {
+    let of_mistakes = mechanism.is_stub.then(|| stub_docs::field(mechanism, field));
     if let Some(docs) = of_mistakes.flatten() {
         return docs;
     }
     match field.subject {
-        Subject::Input(index) => input(&cx.mechanism.inputs[index]),
-        Subject::Load(index) => force_docs::load(&cx.mechanism.dynamics.loads[index]),
-        Subject::Effort(index) => force_docs::effort(cx, index),
-        Subject::Efforts(index) => force_docs::owner(cx, index),
+        Subject::Input(index) => input(&mechanism.inputs[index]),
+        Subject::Load(index) => force_docs::load(&mechanism.dynamics.loads[index]),
+        Subject::Effort(index) => force_docs::effort(mechanism, index),
+        Subject::Efforts(index) => force_docs::owner(mechanism, index),
         Subject::Mass => quote! {
             /// The mass matrix, symmetric: in kg along a length, in kg·m² about an angle.
         },
@@ -153,7 +155,7 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
             /// In J: of every mass in the field of gravity, zero at the ground's origin, and of every
             /// spring, zero where it is slack.
         },
-        Subject::Output(index, order) => output(cx, &cx.mechanism.outputs[index], order),
+        Subject::Output(index, order) => output(mechanism, &mechanism.outputs[index], order),
         Subject::Outputs(Order::Position) => quote! {
             /// In metres and radians.
         },
@@ -167,8 +169,8 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> TokenStream {
 }
 
 /// `COST`.
-pub(super) fn cost(cx: &Context<'_>) -> TokenStream {
-    match cx.mechanism.is_stub {
+pub(super) fn cost(is_stub: bool) -> TokenStream {
+    match is_stub {
         true => stub_docs::cost(),
         false => quote! {
             /// The floating-point operations of one call.
@@ -187,23 +189,23 @@ pub(super) fn rows(order: Order) -> TokenStream {
 }
 
 /// An output as a field of a record.
-fn output(cx: &Context<'_>, output: &DeclaredOutput, order: Order) -> TokenStream {
+fn output(mechanism: &Mechanism, output: &DeclaredOutput, order: Order) -> TokenStream {
     let mut own = output.docs.clone();
     let of_thing: &[Attribute] = match output.kind {
-        OutputKind::Point(point) => &cx.mechanism.points[point.index()].docs,
-        OutputKind::Link { link, .. } => &cx.mechanism.links[link.index()].docs,
+        OutputKind::Point(point) => &mechanism.points[point.index()].docs,
+        OutputKind::Link { link, .. } => &mechanism.links[link.index()].docs,
         _ => &[],
     };
     if quote!(#(#own)*).to_string() != quote!(#(#of_thing)*).to_string() {
         own.extend_from_slice(of_thing);
     }
-    let line = describe(cx, output, order);
+    let line = describe(mechanism, output, order);
     after(&own, &format!("{line}."))
 }
 
 /// One output in words: what it is, what made it, its unit.
-pub(super) fn describe(cx: &Context<'_>, output: &DeclaredOutput, order: Order) -> String {
-    let (mechanism, name) = (cx.mechanism, text(&output.field));
+pub(super) fn describe(mechanism: &Mechanism, output: &DeclaredOutput, order: Order) -> String {
+    let name = text(&output.field);
     let words = Quantity::of(&output.kind).layout(order).words;
     match &output.kind {
         OutputKind::Point(point) => {
@@ -229,8 +231,8 @@ pub(super) fn describe(cx: &Context<'_>, output: &DeclaredOutput, order: Order) 
 }
 
 /// The arguments in words, and the meaning of the list of coefficients.
-fn details(cx: &Context<'_>, entry: &Entry) -> String {
-    let mut text = match (&cx.mechanism.inputs[..], cx.inputs()) {
+fn details(mechanism: &Mechanism, interface: &Interface, entry: &Entry) -> String {
+    let mut text = match (&mechanism.inputs[..], interface.input_record()) {
         ([only], _) => {
             let (name, unit) = (text(&only.name), unit(only.dimension, Order::Position));
             let given = entry.given.iter().filter_map(|given| match given {
@@ -242,7 +244,7 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
                 ArgumentKind::Rate => Some(format!("its rate in {unit}/s")),
                 ArgumentKind::Acceleration => Some(format!("its second rate in {unit}/s²")),
                 ArgumentKind::Loads => None,
-                ArgumentKind::Drives => Some(match &cx.mechanism.dynamics.pull {
+                ArgumentKind::Drives => Some(match &mechanism.dynamics.pull {
                     Some(load) => format!("the load `{}`, which drives it", text(&load.name)),
                     None => "the effort of its drive".to_string(),
                 }),
@@ -254,17 +256,16 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
         ),
         _ => String::new(),
     };
-    if entry.given.contains(&ArgumentKind::Drives) && cx.inputs().is_some() {
+    if entry.given.contains(&ArgumentKind::Drives) && interface.input_record().is_some() {
         text += "\nThe efforts of the drives are an array in the order of `INPUTS`.";
-        if let Some((input, load)) = cx.mechanism.dynamics.driven() {
-            let [input, load] =
-                [&cx.mechanism.inputs[input.index()].name, &load.name].map(self::text);
+        if let Some((input, load)) = mechanism.dynamics.driven() {
+            let [input, load] = [&mechanism.inputs[input.index()].name, &load.name].map(self::text);
             text +=
                 &format!(" In the place of `{input}` stands the load `{load}`, which drives it.");
         }
     }
     if entry.given.contains(&ArgumentKind::Loads) {
-        text += &force_docs::loads(cx);
+        text += &force_docs::loads(mechanism, interface);
     }
     if matches!(entry.result, Shape::Matrix { .. }) {
         text += "\nA row an output in the order of `OUTPUTS`, a column an input in the order of \
@@ -273,24 +274,24 @@ fn details(cx: &Context<'_>, entry: &Entry) -> String {
     text
 }
 
-pub(super) fn fast_path(cx: &Context<'_>, id: EntryId) -> TokenStream {
-    let entry = cx.entry(id);
-    if cx.mechanism.is_stub {
+pub(super) fn fast_path(mechanism: &Mechanism, lowered: &Lowered<'_>, id: EntryId) -> TokenStream {
+    let entry = lowered.interface.entry(id);
+    if mechanism.is_stub {
         return stub_docs::entry(entry);
     }
     lines(&format!(
         "{}, {}and whether they may be used.\n\n{}\n\n\
          Where the mask says no, the numbers mean nothing. Costs {}.",
         entry.point.row().subject,
-        if cx.searches() { "" } else { "without a branch, " },
-        details(cx, entry),
-        costs_in_words::in_words(costs_in_words::of(cx, id)),
+        if mechanism.unknowns.is_empty() { "without a branch, " } else { "" },
+        details(mechanism, &lowered.interface, entry),
+        costs_in_words::in_words(lowered.costs[id.index()]),
     ))
 }
 
-pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
-    let entry = cx.entry(id);
-    if cx.mechanism.is_stub {
+pub(super) fn checked(mechanism: &Mechanism, lowered: &Lowered<'_>, id: EntryId) -> TokenStream {
+    let entry = lowered.interface.entry(id);
+    if mechanism.is_stub {
         return stub_docs::entry(entry);
     }
     lines(&format!(
@@ -298,10 +299,10 @@ pub(super) fn checked(cx: &Context<'_>, id: EntryId) -> TokenStream {
          The group that cannot be assembled, is singular or was given an invalid length, or the \
          input or result that is not finite.{}{}",
         entry.point.row().subject,
-        details(cx, entry),
-        costs_in_words::in_words(costs_in_words::of(cx, id)),
-        exceptions(cx, entry),
-        if cx.searches() { NO_SOLUTION } else { "" },
+        details(mechanism, &lowered.interface, entry),
+        costs_in_words::in_words(lowered.costs[id.index()]),
+        exceptions(&lowered.interface, entry),
+        if mechanism.unknowns.is_empty() { "" } else { NO_SOLUTION },
     ))
 }
 
@@ -309,19 +310,18 @@ const NO_SOLUTION: &str = " `NoSolution` where an equation has no root of its mo
      `SeveralDeadPoints` where that cannot be told.";
 
 /// The errors that only an entry point of this kind returns, or never returns.
-fn exceptions(cx: &Context<'_>, entry: &Entry) -> &'static str {
+fn exceptions(interface: &Interface, entry: &Entry) -> &'static str {
     if entry.takes_cosine() {
         return " `OffCircle` where the amplitude is no resolver's.";
     }
-    entry.point.row().errors[usize::from(cx.inputs().is_some())]
+    entry.point.row().errors[usize::from(interface.inputs.is_some())]
 }
 
-pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
-    let entry = cx.entry(id);
-    if cx.mechanism.is_stub {
+pub(super) fn sweep(mechanism: &Mechanism, interface: &Interface, entry: &Entry) -> TokenStream {
+    if mechanism.is_stub {
         return stub_docs::entry(entry);
     }
-    let has_list = entry.given.contains(&ArgumentKind::Drives) && cx.inputs().is_some();
+    let has_list = entry.given.contains(&ArgumentKind::Drives) && interface.inputs.is_some();
     let list =
         if has_list { " Those of an array are `(&slice).into()` or `0.0.into()`." } else { "" };
     lines(&format!(
@@ -333,7 +333,7 @@ pub(super) fn sweep(cx: &Context<'_>, id: EntryId) -> TokenStream {
          how many poses are done, and how many there are, every few thousand poses; `()` tells nobody.\n\n\
          # Errors\nTwo slices are not of one length; nothing was computed.",
         entry.point.row().subject,
-        details(cx, entry),
+        details(mechanism, interface, entry),
         entry.name(),
     ))
 }
@@ -342,21 +342,26 @@ pub(super) fn slow_path(entry: &Entry) -> TokenStream {
     lines(&format!("Why `solve_{}` gave no answer, or the answer at a limit.", entry.name()))
 }
 
-pub(super) fn jacobian(cx: &Context<'_>) -> TokenStream {
-    let columns = cx.mechanism.inputs.iter().map(|input| text(&input.name)).collect();
+pub(super) fn jacobian(mechanism: &Mechanism) -> TokenStream {
+    let columns = mechanism.inputs.iter().map(|input| text(&input.name)).collect();
     let what = "∂outputs/∂inputs: the `coefficients` as a matrix";
-    lines(&matrix(cx, what, columns, " A group that no coefficient depends on is not looked at."))
+    lines(&matrix(
+        mechanism,
+        what,
+        columns,
+        " A group that no coefficient depends on is not looked at.",
+    ))
 }
 
-pub(super) fn sensitivity(cx: &Context<'_>) -> TokenStream {
-    let columns = cx.numeric_params().iter().map(|param| text(&param.name)).collect();
+pub(super) fn sensitivity(mechanism: &Mechanism, params: &[&Param]) -> TokenStream {
+    let columns = params.iter().map(|param| text(&param.name)).collect();
     let what = "∂outputs/∂params by automatic differentiation of the position";
-    lines(&matrix(cx, what, columns, ""))
+    lines(&matrix(mechanism, what, columns, ""))
 }
 
-fn matrix(cx: &Context<'_>, what: &str, columns: Vec<String>, beside: &str) -> String {
+fn matrix(mechanism: &Mechanism, what: &str, columns: Vec<String>, beside: &str) -> String {
     let list = |names: Vec<String>| format!("`{}`", names.join("`, `"));
-    let rows = labels::all_rows(cx.mechanism);
+    let rows = labels::all_rows(mechanism);
     format!(
         "{what}.\n\nRows: {}; columns: {}.\n\n\
          # Errors\nThose of `position`; `Singular` where a derivative does not exist.{beside}",

@@ -1,17 +1,21 @@
 //! The range of a crank as its dimensions determine it, in words.
 
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
+use crate::interface::Interface;
 use crate::interface::entries::Analysis;
-use crate::model::mechanism::Rotatability;
+use crate::model::mechanism::{Mechanism, Rotatability};
 use crate::reach::turn::Range;
 
 /// Over which angles a crank turns, why, and what happens at change points.
-pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
-    let group = cx.mechanism.statement(found.group);
-    let crank = text(&cx.mechanism.links[found.crank.index()].name);
+pub(super) fn in_words(
+    mechanism: &Mechanism,
+    interface: &Interface,
+    found: &Rotatability,
+) -> String {
+    let group = mechanism.statement(found.group);
+    let crank = text(&mechanism.links[found.crank.index()].name);
     let angle = match found.input {
-        Some(input) => text(&cx.mechanism.inputs[input.index()].name),
+        Some(input) => text(&mechanism.inputs[input.index()].name),
         None => format!("{crank}.angle"),
     };
     let range = match &found.turn.range {
@@ -27,7 +31,7 @@ pub(super) fn in_words(cx: &Context<'_>, found: &Rotatability) -> String {
     };
     let mut line = format!("{group}: {range}; {}", found.reason);
     let forward = Analysis::ForwardDynamics.by_value();
-    let moves_under_forces = cx.interface.find(forward).is_some();
+    let moves_under_forces = interface.find(forward).is_some();
     if !found.turn.change_points.is_empty() {
         let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
         let angles = angles.join(" and ");

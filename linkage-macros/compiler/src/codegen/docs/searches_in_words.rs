@@ -1,22 +1,22 @@
 //! The documentation of every search: its interval, its mode, and what it costs.
 
 use super::costs_in_words::{self, MOST};
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
+use crate::lower::routine::{Lowered, Search};
 use crate::model::mechanism::{Mechanism, Mode, Scalar, Sign, Unknown};
 use crate::syntax::anatomy::Modes;
 
 /// The entry of each unknown in the documentation of the solver.
-pub(super) fn in_words(cx: &Context<'_>) -> Vec<String> {
-    let unknowns = cx.mechanism.unknowns.iter().enumerate();
-    unknowns.filter_map(|(index, unknown)| of_unknown(cx, index, unknown)).collect()
+pub(super) fn in_words(mechanism: &Mechanism, lowered: &Lowered<'_>) -> Vec<String> {
+    let unknowns = mechanism.unknowns.iter().enumerate();
+    let of_unknown = |(index, unknown)| Some(of_search(mechanism, lowered.search(index)?, unknown));
+    unknowns.filter_map(of_unknown).collect()
 }
 
-fn of_unknown(cx: &Context<'_>, index: usize, unknown: &Unknown) -> Option<String> {
-    let search = cx.lowered.search(index)?;
-    let mode = mode(cx.mechanism, unknown);
+fn of_search(mechanism: &Mechanism, search: &Search, unknown: &Unknown) -> String {
+    let mode = mode(mechanism, unknown);
     let [wide, narrow] = MOST;
     let seed = match unknown.near {
         Some(_) => ", three more for the seed",
@@ -27,13 +27,13 @@ fn of_unknown(cx: &Context<'_>, index: usize, unknown: &Unknown) -> Option<Strin
         Some(false) => ", may have several roots",
         None => "",
     };
-    Some(format!(
+    format!(
         "`{}`{}, {mode}{roots}: up to {wide} evaluations (f32: {narrow}){seed}, twice as many where an end \
          lies beyond a dead point of the equation; each of {}",
         text(&unknown.name),
         ends(unknown),
         costs_in_words::in_words(search.cost),
-    ))
+    )
 }
 
 /// `rising`, `falling` or the parameter that says which.

@@ -5,19 +5,18 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::doc_comments::{after, lines};
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::interface::entries::Entry;
 use crate::interface::force_records::path;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Subject};
 use crate::interface::units_in_words::unit;
-use crate::model::mechanism::{DeclaredOutput, Dimension, OutputKind, Param, ParamKind};
+use crate::model::mechanism::{DeclaredOutput, Dimension, Mechanism, OutputKind, Param, ParamKind};
 
 const WITH_MISTAKES: &str = "Stands in for the solver while its declaration has mistakes.";
 
-pub(super) fn solver(cx: &Context<'_>) -> TokenStream {
-    after(&cx.mechanism.docs, WITH_MISTAKES)
+pub(super) fn solver(mechanism: &Mechanism) -> TokenStream {
+    after(&mechanism.docs, WITH_MISTAKES)
 }
 
 pub(super) fn param(param: &Param) -> TokenStream {
@@ -29,8 +28,7 @@ pub(super) fn param(param: &Param) -> TokenStream {
 }
 
 /// A field of a record whose docs depend on the declaration; `None` for the others.
-pub(super) fn field(cx: &Context<'_>, field: &Field) -> Option<TokenStream> {
-    let mechanism = cx.mechanism;
+pub(super) fn field(mechanism: &Mechanism, field: &Field) -> Option<TokenStream> {
     Some(match field.subject {
         Subject::Input(index) => {
             let input = &mechanism.inputs[index];
@@ -44,7 +42,7 @@ pub(super) fn field(cx: &Context<'_>, field: &Field) -> Option<TokenStream> {
             let asked = &mechanism.dynamics.asked[index];
             after(&asked.docs, &format!("`{}`.", path(asked)))
         }
-        Subject::Output(index, _) => output(cx, &mechanism.outputs[index]),
+        Subject::Output(index, _) => output(mechanism, &mechanism.outputs[index]),
         _ => return None,
     })
 }
@@ -57,8 +55,8 @@ fn given(what: &str, name: &str, dimension: Dimension) -> String {
     }
 }
 
-fn output(cx: &Context<'_>, output: &DeclaredOutput) -> TokenStream {
-    let (mechanism, name) = (cx.mechanism, text(&output.field));
+fn output(mechanism: &Mechanism, output: &DeclaredOutput) -> TokenStream {
+    let name = text(&output.field);
     match output.kind {
         OutputKind::Point(point) => {
             after(&mechanism.points[point.index()].docs, &format!("Point `{name}`."))

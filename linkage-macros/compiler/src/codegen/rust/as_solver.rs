@@ -2,9 +2,9 @@
 
 use quote::quote;
 
+use super::context::Context;
 use super::input_records::{input_of, of_numbers};
 use super::{fast_path, results, tracking};
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::text;
 use crate::codegen::text::Text;
 use crate::interface::EntryId;
@@ -27,7 +27,7 @@ pub(super) fn items(cx: &Context<'_>) -> Text {
     if cx.searches() {
         to.put(&format!("const SEARCHES: {} = true;\n", cx.paths.written("bool")));
     }
-    tracking::flips(cx, &mut to);
+    tracking::flips(cx.mechanism, &cx.paths, &mut to);
     input(cx, &mut to);
     entries(cx, by_order, &mut to);
     rows(&mut to);
@@ -41,13 +41,14 @@ pub(super) fn items(cx: &Context<'_>) -> Text {
 /// The type of an entry point's record.
 fn record(cx: &Context<'_>, id: EntryId) -> String {
     let scalar = &cx.names.scalar;
-    results::ty(cx, cx.entry(id).result, &quote!(#scalar)).to_string()
+    results::ty(cx.interface, &cx.paths, cx.entry(id).result, &quote!(#scalar)).to_string()
 }
 
 fn types(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
     let (scalar, rows, columns) = (&cx.names.scalar, cx.interface.rows, cx.interface.columns);
     let [position, velocity, motion] = entries.map(|id| record(cx, id));
-    let (input, groups) = (input_of(cx, &scalar.to_string()), tracking::count(cx));
+    let (input, groups) =
+        (input_of(cx.interface, &scalar.to_string()), tracking::count(cx.program()));
     let copy = cx.paths.written("Copy");
     to.put(&format!("type Scalar = {scalar}; type Input = {input} ;\n"));
     to.put(&format!("type Position = {position} ; type Velocity = {velocity} ;\n"));
@@ -62,7 +63,7 @@ fn titles(cx: &Context<'_>, to: &mut Text) {
     to.put(&format!("const TITLES: {titles} = {titles} {{ name: {:?}, ", text(solver)));
     to.put(&format!("inputs: & {solver}:: <{float}> ::INPUTS, "));
     to.put(&format!("outputs: & {solver}:: <{float}> ::OUTPUTS, groups: &["));
-    tracking::groups(cx, to);
+    tracking::groups(cx.program(), &cx.paths, to);
     to.put("], };\n");
 }
 
@@ -70,17 +71,17 @@ fn titles(cx: &Context<'_>, to: &mut Text) {
 fn input(cx: &Context<'_>, to: &mut Text) {
     let scalar = &cx.names.scalar;
     let [fn_mut, usize_] = ["FnMut", "usize"].map(|item| cx.paths.written(item));
-    let ty = input_of(cx, &scalar.to_string());
+    let ty = input_of(cx.interface, &scalar.to_string());
     to.put("#[inline] fn input(mut number_: impl ");
     to.put(&format!("{fn_mut}({usize_}) -> {scalar}) -> {ty} {{ "));
-    of_numbers(cx, "number_", 0, to);
+    of_numbers(&cx.signatures, "number_", 0, to);
     to.put(" }\n");
 }
 
 /// The entry points themselves.
 fn entries(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
     let (scalar, rows, columns) = (&cx.names.scalar, cx.interface.rows, cx.interface.columns);
-    let input = input_of(cx, &scalar.to_string());
+    let input = input_of(cx.interface, &scalar.to_string());
     let [result, error] = ["Result", "SolveError"].map(|item| cx.paths.written(item));
     let [position, velocity, motion] = entries.map(|id| record(cx, id));
     let coefficients = format!("[[{scalar}; {columns}]; {rows}]");
@@ -130,9 +131,9 @@ fn solve(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
     to.put(&format!("let lifted_ = self.lift:: <{lane}>(); match ORDER {{ "));
     for (id, pattern) in entries.into_iter().zip(["0", "1", "_"]) {
         let entry = cx.entry(id);
-        let core = fast_path::core_name(cx, entry);
+        let core = fast_path::core_name(&cx.signatures, entry);
         to.put(&format!("{pattern} => {put_solved}(lifted_.{core}("));
-        to.list(0..entry.given.len(), |to, order| of_numbers(cx, "given_", order, to));
+        to.list(0..entry.given.len(), |to, order| of_numbers(&cx.signatures, "given_", order, to));
         to.put("), put_)");
         to.put(if pattern == "_" { " } }\n" } else { ", " });
     }
@@ -154,7 +155,7 @@ fn follow(cx: &Context<'_>, entries: [EntryId; 3], to: &mut Text) {
     for (id, pattern) in entries.into_iter().zip(["0", "1", "_"]) {
         let entry = cx.entry(id);
         to.put(&format!("{pattern} => {put_usable}(self.{}(", fast_path::following_name(entry)));
-        to.list(0..entry.given.len(), |to, order| of_numbers(cx, "given_", order, to));
+        to.list(0..entry.given.len(), |to, order| of_numbers(&cx.signatures, "given_", order, to));
         to.put(", seeds_), put_)").put(if pattern == "_" { " } }\n" } else { ", " });
     }
 }

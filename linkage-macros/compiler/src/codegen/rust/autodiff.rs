@@ -3,9 +3,8 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::context::{Context, numeric_params};
 use super::{results, solver};
-use crate::codegen::arguments::Arguments;
-use crate::codegen::context::Context;
 use crate::codegen::docs;
 use crate::codegen::identifiers::{generated, used};
 use crate::interface::entries::{Analysis, ArgumentKind};
@@ -27,12 +26,13 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 }
 
 fn jacobian(cx: &Context<'_>) -> TokenStream {
-    let arguments = Arguments::new(cx, &[ArgumentKind::Value]);
+    let arguments = cx.signatures.arguments(&[ArgumentKind::Value]);
     let number = &cx.names.scalar;
     let number = quote!(#number);
-    let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
+    let (declared, converted) =
+        (arguments.declared(&cx.paths, &number), arguments.converted(&cx.paths, &number));
     let names = arguments.names();
-    let (rows, columns, docs) = (cx.rows(), cx.columns(), docs::jacobian(cx));
+    let (rows, columns, docs) = (cx.rows(), cx.columns(), docs::jacobian(cx.mechanism));
     let [matrix, error, result] =
         ["SMatrix", "SolveError", "Result"].map(|name| cx.paths.item(name));
     let of_lifted = cx.paths.item("jacobian");
@@ -55,15 +55,16 @@ fn jacobian(cx: &Context<'_>) -> TokenStream {
 
 /// With respect to the numeric parameters; none, none.
 fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
-    let params = cx.numeric_params();
+    let params = numeric_params(cx.mechanism);
     if params.is_empty() {
         return None;
     }
-    let arguments = Arguments::new(cx, &[ArgumentKind::Value]);
+    let arguments = cx.signatures.arguments(&[ArgumentKind::Value]);
     let number = &cx.names.scalar;
     let number = quote!(#number);
-    let (declared, converted) = (arguments.declared(&number), arguments.converted(&number));
-    let (rows, docs) = (cx.rows(), docs::sensitivity(cx));
+    let (declared, converted) =
+        (arguments.declared(&cx.paths, &number), arguments.converted(&cx.paths, &number));
+    let (rows, docs) = (cx.rows(), docs::sensitivity(cx.mechanism, &params));
     let columns = Literal::usize_unsuffixed(params.len());
     let [matrix, error, result] =
         ["SMatrix", "SolveError", "Result"].map(|name| cx.paths.item(name));
@@ -76,9 +77,9 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
         let dual = index.map(|index| &duals[index]);
         quote!(#dual)
     };
-    let solver = solver::construct(cx, &quote!(#name), dual, solver::held);
+    let solver = solver::construct(cx.mechanism, &cx.paths, &quote!(#name), dual, solver::held);
     let answer = quote!((#solver).position(#at));
-    let of_duals = results::in_place(cx, &answer, |found| quote!(#found.rows()));
+    let of_duals = results::in_place(&cx.paths, &answer, |found| quote!(#found.rows()));
     Some(quote! {
         #docs
         pub fn sensitivity(&self, #(#declared),*) -> #result<#matrix<#number, #rows, #columns>, #error> {
@@ -90,12 +91,12 @@ fn sensitivity(cx: &Context<'_>) -> Option<TokenStream> {
 
 /// The inputs as numbers without derivatives.
 fn constant_inputs(cx: &Context<'_>) -> TokenStream {
-    let arguments = Arguments::new(cx, &[ArgumentKind::Value]);
-    let lifted = |value: TokenStream| solver::lifted_number(cx, &value, &quote!(_));
+    let arguments = cx.signatures.arguments(&[ArgumentKind::Value]);
+    let lifted = |value: TokenStream| solver::lifted_number(&cx.paths, &value, &quote!(_));
     let inputs = arguments.names().iter().flat_map(|argument| {
         cx.mechanism.inputs.iter().map(move |input| (argument, used(&input.name)))
     });
-    let Some(record) = cx.inputs() else {
+    let Some(record) = cx.interface.input_record() else {
         return inputs.map(|(argument, _)| lifted(quote!(#argument))).collect();
     };
     let fields = inputs.map(|(argument, field)| {

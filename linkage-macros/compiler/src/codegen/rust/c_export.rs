@@ -7,14 +7,15 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::context::{Context, literal};
+use super::paths::Paths;
 use super::{results, solver};
-use crate::codegen::arguments::{Arguments, Form};
+use crate::codegen::arguments::Form;
 use crate::codegen::c::c_identifiers::{self, PARAMETERS, Width};
 use crate::codegen::c::header;
-use crate::codegen::context::{Context, literal};
 use crate::codegen::identifiers::{generated, string, text, used};
 use crate::interface::entries::Entry;
-use crate::model::mechanism::{Param, ParamKind, Sign};
+use crate::model::mechanism::{Mechanism, Param, ParamKind, Sign};
 
 /// Nothing unless the declaration says `export c;`.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
@@ -22,9 +23,9 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         return TokenStream::new();
     }
     let name = &cx.names.solver;
-    let (header, parameters) = (header::text(cx, &Width::ALL), parameters(cx));
+    let (header, parameters) = (header::text(&cx.signatures, &Width::ALL), parameters(cx));
     let [float, string] = ["f64", "str"].map(|item| cx.paths.item(item));
-    let (read, reply) = (read(cx), reply(cx));
+    let (read, reply) = (read(cx.mechanism, &cx.paths), reply(&cx.paths));
     let entries = &cx.interface.entries;
     let functions =
         Width::ALL.map(|width| entries.iter().map(move |entry| function(cx, entry, width)));
@@ -54,8 +55,12 @@ fn parameters(cx: &Context<'_>) -> TokenStream {
         let ty = if is_number(param) { quote!(#scalar) } else { quote!(#i32) };
         quote!(#field: #ty)
     });
-    let solver = solver::construct(cx, &quote!(#name), solver::held, |param| mode(cx, param));
-    let marker = solver::marker(cx).map(|(field, ty)| quote!(#field: #ty<#scalar>));
+    let solver =
+        solver::construct(cx.mechanism, &cx.paths, &quote!(#name), solver::held, |param| {
+            mode(&cx.paths, param)
+        });
+    let marker =
+        solver::marker(cx.mechanism, &cx.paths).map(|(field, ty)| quote!(#field: #ty<#scalar>));
     let defaults = Width::ALL.map(|width| default(cx, width));
     quote! {
         #[repr(C)]
@@ -76,10 +81,10 @@ fn is_number(param: &Param) -> bool {
 }
 
 /// A mode parameter from the number that C gives.
-fn mode(cx: &Context<'_>, param: &Param) -> TokenStream {
+fn mode(paths: &Paths, param: &Param) -> TokenStream {
     let (field, name) = (used(&param.name), string(&text(&param.name), param.name.span()));
     let convert = match param.kind {
-        ParamKind::Mode { of, .. } => Some(cx.paths.item(of.row().from_c)),
+        ParamKind::Mode { of, .. } => Some(paths.item(of.row().from_c)),
         ParamKind::Number { .. } => None,
     };
     quote!(#convert(self.#field, #name)?)
@@ -103,7 +108,8 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
         };
         quote!(#field: #value)
     });
-    let marker = solver::marker(cx).map(|(field, value)| quote!(#field: #value));
+    let marker =
+        solver::marker(cx.mechanism, &cx.paths).map(|(field, value)| quote!(#field: #value));
     quote! {
         #[unsafe(no_mangle)]
         extern "C" fn #name() -> Parameters_<#number> { Parameters_ { #(#fields,)* #marker } }
@@ -111,15 +117,15 @@ fn default(cx: &Context<'_>, width: Width) -> TokenStream {
 }
 
 /// The function `read_`, which reads the value behind a pointer from C; nothing where no function takes one.
-fn read(cx: &Context<'_>) -> TokenStream {
-    let takes_pointers = !cx.mechanism.params.is_empty()
-        || cx.mechanism.inputs.len() > 1
-        || cx.mechanism.dynamics.loads.len() > 1;
+fn read(mechanism: &Mechanism, paths: &Paths) -> TokenStream {
+    let takes_pointers = !mechanism.params.is_empty()
+        || mechanism.inputs.len() > 1
+        || mechanism.dynamics.loads.len() > 1;
     if !takes_pointers {
         return TokenStream::new();
     }
-    let [copy, str, error] = ["Copy", "str", "CError"].map(|item| cx.paths.item(item));
-    let [result, ok, err] = ["Result", "Ok", "Err"].map(|item| cx.paths.item(item));
+    let [copy, str, error] = ["Copy", "str", "CError"].map(|item| paths.item(item));
+    let [result, ok, err] = ["Result", "Ok", "Err"].map(|item| paths.item(item));
     quote! {
         /// # Safety
         /// The pointer is null or points to a value.
@@ -134,9 +140,9 @@ fn read(cx: &Context<'_>) -> TokenStream {
 }
 
 /// Hands an answer, or why there is none, over to C.
-fn reply(cx: &Context<'_>) -> TokenStream {
-    let [str, i32, error] = ["str", "i32", "CError"].map(|item| cx.paths.item(item));
-    let [result, ok, err] = ["Result", "Ok", "Err"].map(|item| cx.paths.item(item));
+fn reply(paths: &Paths) -> TokenStream {
+    let [str, i32, error] = ["str", "i32", "CError"].map(|item| paths.item(item));
+    let [result, ok, err] = ["Result", "Ok", "Err"].map(|item| paths.item(item));
     quote! {
         /// # Safety
         /// Each pointer is null or points to where a value of its type may be written.
@@ -170,7 +176,7 @@ fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
     let method = generated(of.name());
     let number = cx.paths.item(width.in_rust());
     let number = quote!(#number);
-    let arguments = Arguments::new(cx, &of.given);
+    let arguments = cx.signatures.arguments(&of.given);
     let names: Vec<Ident> =
         (0..arguments.names().len()).map(|i| generated(&format!("q{i}_"))).collect();
     let (mut declared, mut read) = (TokenStream::new(), TokenStream::new());
@@ -185,7 +191,7 @@ fn function(cx: &Context<'_>, of: &Entry, width: Width) -> TokenStream {
         read.extend(quote!(let #name = unsafe { read_(#name, #label) }?;));
     }
     let (solver, parameter) = called(cx, &number);
-    let value = results::ty(cx, of.result, &number);
+    let value = results::ty(cx.interface, &cx.paths, of.result, &number);
     let [result, ok, error, i32] = ["Result", "Ok", "CError", "i32"].map(|i| cx.paths.item(i));
     let label = of.point.answer();
     let (to, why, answer) = (generated("to_"), generated("why_"), generated("answer_"));

@@ -4,12 +4,11 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::context::Context;
+use super::token_list::Tokens;
 use super::{fast_path, results, slow_path};
-use crate::codegen::arguments::Arguments;
-use crate::codegen::context::Context;
 use crate::codegen::docs;
 use crate::codegen::identifiers::generated;
-use crate::codegen::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::lower::routine::{ArgumentAdapter, Compute};
 
@@ -17,11 +16,12 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
     let scalar = &cx.names.scalar;
     let scalar = quote!(#scalar);
-    let arguments = Arguments::new(cx, &entry.given);
-    let (declared, converted) = (arguments.declared(&scalar), arguments.converted(&scalar));
-    let result = results::ty(cx, entry.result, &scalar);
+    let arguments = cx.signatures.arguments(&entry.given);
+    let (declared, converted) =
+        (arguments.declared(&cx.paths, &scalar), arguments.converted(&cx.paths, &scalar));
+    let result = results::ty(cx.interface, &cx.paths, entry.result, &scalar);
     let name = generated(entry.name());
-    let docs = docs::checked(cx, id);
+    let docs = docs::checked(cx.mechanism, cx.lowered, id);
     let (outcome, error, ok) =
         (cx.paths.item("Result"), cx.paths.item("SolveError"), cx.paths.item("Ok"));
     let (value, usable) = (generated("result_"), generated("ok_"));

@@ -9,10 +9,11 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::codegen::context::Context;
+use super::context::Context;
 use crate::codegen::identifiers::{generated, text};
 use crate::interface::quantity::Order;
 use crate::interface::records::RecordKind;
+use crate::model::mechanism::Mechanism;
 
 /// Nothing for stubs, which have references of their own in their messages.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
@@ -20,7 +21,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     if references.made.is_empty() {
         return TokenStream::new();
     }
-    let places = Places::new(cx);
+    let places = Places::new(cx.mechanism);
     let made = references.made.iter().filter(|(name, _)| places.place(name).is_none());
     let fields = made.map(|(name, made_by)| {
         let doc = format!(" `{}`, made by `{made_by}`.", text(name));
@@ -35,7 +36,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         cx.interface.records.iter().find(|r| r.kind == RecordKind::Outputs(Order::Position));
     let records = [
         ("solver_", Some(&cx.names.solver)),
-        ("inputs_", cx.inputs()),
+        ("inputs_", cx.interface.input_record()),
         ("position_", position.map(|record| &record.name)),
     ];
     let read: HashSet<_> = references.used.iter().filter_map(|name| places.place(name)).collect();
@@ -68,8 +69,7 @@ struct Places {
 }
 
 impl Places {
-    fn new(cx: &Context<'_>) -> Self {
-        let mechanism = cx.mechanism;
+    fn new(mechanism: &Mechanism) -> Self {
         // A single input has no record, and is no field.
         let inputs = mechanism.inputs.iter().filter(|_| mechanism.inputs.len() > 1);
         Self {

@@ -4,9 +4,9 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::context::Context;
 use super::{formulas, results};
-use crate::codegen::arguments::Arguments;
-use crate::codegen::context::Context;
+use crate::codegen::arguments::{Arguments, Signatures};
 use crate::codegen::docs;
 use crate::codegen::docs::doc_comments;
 use crate::codegen::identifiers::generated;
@@ -18,8 +18,8 @@ use crate::lower::routine::{ArgumentAdapter, Bound, Compute, Finite, FinitenessC
 
 /// The name of the core of an entry point, which has the numbers and records themselves for arguments:
 /// the public function, where that has.
-pub(super) fn core_name(cx: &Context<'_>, entry: &Entry) -> Ident {
-    match has_core(cx, entry) {
+pub(super) fn core_name(signatures: &Signatures<'_>, entry: &Entry) -> Ident {
+    match has_core(signatures, entry) {
         true => generated(&format!("core_{}_", entry.name())),
         false => public_name(entry),
     }
@@ -30,8 +30,8 @@ fn public_name(entry: &Entry) -> Ident {
 }
 
 /// True if the public function converts its arguments before the core computes.
-fn has_core(cx: &Context<'_>, entry: &Entry) -> bool {
-    entry.takes_cosine() || Arguments::new(cx, &entry.given).has_records()
+fn has_core(signatures: &Signatures<'_>, entry: &Entry) -> bool {
+    entry.takes_cosine() || signatures.arguments(&entry.given).has_records()
 }
 
 /// `solve_…`, and the core that it shares with everything else.
@@ -41,9 +41,10 @@ fn has_core(cx: &Context<'_>, entry: &Entry) -> bool {
 pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let (entry, scalar) = (cx.entry(id), &cx.names.scalar);
     let number = quote!(#scalar);
-    let arguments = Arguments::new(cx, &entry.given);
-    let (declared, received) = (arguments.declared(&number), arguments.received(&number));
-    let (converted, answer) = (arguments.converted(&number), answer(cx, id));
+    let arguments = cx.signatures.arguments(&entry.given);
+    let (declared, received) =
+        (arguments.declared(&cx.paths, &number), arguments.received(&number));
+    let (converted, answer) = (arguments.converted(&cx.paths, &number), answer(cx, id));
     let body = match cx.compute(id) {
         Compute::Delegate { entry: other, given: ArgumentAdapter::CosineAndSine } => {
             by_cosine(cx, &arguments, *other)
@@ -57,13 +58,16 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> TokenStream {
             compared(cx, id, call, asked, &quote!(#start::new()))
         }
     };
-    let (docs, result) = (docs::fast_path(cx, id), results::ty(cx, entry.result, &number));
-    let (name, core) = (public_name(entry), core_name(cx, entry));
+    let (docs, result) = (
+        docs::fast_path(cx.mechanism, cx.lowered, id),
+        results::ty(cx.interface, &cx.paths, entry.result, &number),
+    );
+    let (name, core) = (public_name(entry), core_name(&cx.signatures, entry));
     let square = cx.lowered.takes_square(id).then(|| {
         let square = generated(SQUARE);
         quote!(, #square: #scalar)
     });
-    let (shown, core) = match has_core(cx, entry) {
+    let (shown, core) = match has_core(&cx.signatures, entry) {
         false => (body, None),
         true => (
             quote!(#converted #answer),
@@ -89,7 +93,7 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId) -> TokenStream {
     if !entry.takes_cosine() {
         return answer(cx, id);
     }
-    let (arguments, name) = (Arguments::new(cx, &entry.given), public_name(entry));
+    let (arguments, name) = (cx.signatures.arguments(&entry.given), public_name(entry));
     let given = arguments.names();
     quote!(self.#name(#(#given),*))
 }
@@ -98,7 +102,8 @@ pub(super) fn call(cx: &Context<'_>, id: EntryId) -> TokenStream {
 /// divided out here, because an angle's have none.
 fn answer(cx: &Context<'_>, id: EntryId) -> TokenStream {
     let entry = cx.entry(id);
-    let (arguments, core) = (Arguments::new(cx, &entry.given), core_name(cx, entry));
+    let (arguments, core) =
+        (cx.signatures.arguments(&entry.given), core_name(&cx.signatures, entry));
     let (names, [result, ok]) = (arguments.names(), ["result_", "ok_"].map(generated));
     if !entry.takes_cosine() {
         return quote!(self.#core(#(#names),*));
@@ -129,12 +134,13 @@ pub(super) fn following(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     }
     let (scalar, seeds) = (&cx.names.scalar, generated("seeds_"));
     let number = quote!(#scalar);
-    let received = Arguments::new(cx, &entry.given).received(&number);
+    let received = cx.signatures.arguments(&entry.given).received(&number);
     let [start, seed] = ["AllMet", "Seed"].map(|item| cx.paths.item(item));
     let start = quote!(#start::following(#seeds));
     let call = formulas::Call { routine: *routine, stage: *stage };
     let body = compared(cx, id, call, asked, &start);
-    let (name, result) = (following_name(entry), results::ty(cx, entry.result, &number));
+    let (name, result) =
+        (following_name(entry), results::ty(cx.interface, &cx.paths, entry.result, &number));
     let docs = doc_comments::lines(&format!(
         "`{}` in a sweep: searches begin by what the pose before has left.",
         public_name(entry),
@@ -174,7 +180,7 @@ fn compared(
 /// The core of the other entry point, given the angle's cosine and sine.
 fn by_cosine(cx: &Context<'_>, arguments: &Arguments<'_>, other: EntryId) -> TokenStream {
     let [sin, cos, result, ok] = ["sin_", "cos_", "result_", "ok_"].map(generated);
-    let (sin_cos, core) = (cx.scalar("sin_cos_near"), core_name(cx, cx.entry(other)));
+    let (sin_cos, core) = (cx.scalar("sin_cos_near"), core_name(&cx.signatures, cx.entry(other)));
     let (angle, rates) = arguments.names().split_first().expect("the angle comes first");
     if cx.lowered.takes_square(other) {
         return quote! {
@@ -211,21 +217,21 @@ pub(super) fn of_unit_rate(
     velocity: EntryId,
 ) -> TokenStream {
     let (names, one) = (arguments.names(), cx.literal(1.0, 1.0));
-    let core = core_name(cx, cx.entry(velocity));
+    let core = core_name(&cx.signatures, cx.entry(velocity));
     quote!(self.#core(#(#names,)* #one))
 }
 
 /// Tests that the result is finite, as a term of a mask.
 fn is_finite(cx: &Context<'_>, id: EntryId, finite: &Finite) -> TokenStream {
     let entry = cx.entry(id);
-    let components = results::components(cx, entry.result, "result_");
+    let components = results::components(cx.interface, entry.result, "result_");
     // One test of the sum is enough: a term that is not finite makes the sum not finite.
     let (is_finite, sum) = (cx.scalar("is_finite"), Text::from(sum(&finite.sum, &components)));
     let Some(([wide, narrow], bounds)) = &finite.instead else {
         return quote!(#is_finite(#sum));
     };
     let (plain, unless) = (cx.scalar("plain"), cx.paths.item("is_finite_unless"));
-    let arguments = Arguments::new(cx, &entry.given);
+    let arguments = cx.signatures.arguments(&entry.given);
     let bounds = bounds.iter().map(|bound| is_kept(cx, &arguments, bound));
     quote!(#(#bounds&)* #unless(#plain(#wide, #narrow), #sum))
 }

@@ -8,13 +8,13 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::context::Context;
 use super::in_rust::RustPrinter;
 use super::results;
-use crate::codegen::arguments::Arguments;
-use crate::codegen::context::Context;
+use super::token_list::Tokens;
 use crate::codegen::identifiers::{generated, used};
 use crate::codegen::text::Text;
-use crate::codegen::token_list::Tokens;
+use crate::interface::Interface;
 use crate::interface::records::{Field, Record, Shape};
 use crate::lower::routine::{Routine, Stage};
 
@@ -30,7 +30,7 @@ impl Call {
     pub(in crate::codegen) fn under(self, cx: &Context<'_>, checks: &TokenStream) -> TokenStream {
         let routine = &cx.lowered.routines[self.routine];
         let name = generated(&routine.name);
-        let arguments = Arguments::new(cx, &routine.given);
+        let arguments = cx.signatures.arguments(&routine.given);
         let last = routine.stages.len() - 1;
         if last == 0 {
             let given = arguments.names();
@@ -46,7 +46,7 @@ impl Call {
         if missing == 0 {
             return call;
         }
-        let field = &stage_fields(cx, routine)[self.stage].name;
+        let field = &stage_fields(cx.interface, routine)[self.stage].name;
         match made {
             Some(made) => quote!({ #made #call.#field }),
             None => quote!(#call.#field),
@@ -80,7 +80,8 @@ fn function(cx: &Context<'_>, routine: &Routine) -> TokenStream {
 
 fn assemble(printer: &RustPrinter<'_>, stage: &Stage, to: &mut Text) {
     let mut sinks = stage.sinks.iter();
-    results::assemble(printer.dialect.cx, stage.result, to, &mut |to| {
+    let cx = printer.dialect.cx;
+    results::assemble(cx.interface, &cx.paths, stage.result, to, &mut |to| {
         let sink = sinks.next().expect("a result has as many numbers as sinks");
         printer.value(*sink, to);
     });
@@ -90,29 +91,29 @@ fn assemble(printer: &RustPrinter<'_>, stage: &Stage, to: &mut Text) {
 /// record.
 pub(super) fn standstill(cx: &Context<'_>) -> (Option<TokenStream>, Tokens) {
     let (rest, zero) = (generated("rest_"), cx.literal(0.0, 0.0));
-    let Some(record) = cx.inputs() else { return (None, zero) };
+    let Some(record) = cx.interface.input_record() else { return (None, zero) };
     let fields = cx.mechanism.inputs.iter().map(|input| used(&input.name));
     let made = quote!(let #rest = #zero; let #rest = #record { #(#fields: #rest),* };);
     (Some(made), rest.into())
 }
 
 /// The record that the stages of a routine fill, a field each.
-fn record_of<'a>(cx: &Context<'a>, routine: &Routine) -> &'a Record {
+fn record_of<'a>(interface: &'a Interface, routine: &Routine) -> &'a Record {
     match routine.result {
-        Shape::Record(record) => cx.record(record),
+        Shape::Record(record) => interface.record(record),
         _ => unreachable!("what is computed in stages is a record"),
     }
 }
 
-fn stage_fields<'a>(cx: &Context<'a>, routine: &Routine) -> &'a [Field] {
-    &record_of(cx, routine).fields
+fn stage_fields<'a>(interface: &'a Interface, routine: &Routine) -> &'a [Field] {
+    &record_of(interface, routine).fields
 }
 
 /// Stage after stage, each followed by its record. The records of the stages that are not asked
 /// for hold zeros.
 fn in_stages(printer: &RustPrinter<'_>, stages: &[Stage], to: &mut Text) {
     let cx = printer.dialect.cx;
-    let record = record_of(cx, printer.routine);
+    let record = record_of(cx.interface, printer.routine);
     let locals: Vec<String> =
         record.fields.iter().map(|field| format!("{}_", field.name)).collect();
     zeros(cx, &record.fields[1..], &locals[1..], to);
@@ -141,7 +142,9 @@ fn zeros(cx: &Context<'_>, fields: &[Field], locals: &[String], to: &mut Text) {
     to.put("let zero_ = ").put(&cx.written(0.0, 0.0)).put(";\n");
     let as_array = cx.paths.written("Record");
     for (field, local) in fields.iter().zip(locals) {
-        let ty = results::ty(cx, field.shape, &cx.names.scalar.to_token_stream()).to_string();
+        let ty =
+            results::ty(cx.interface, &cx.paths, field.shape, &cx.names.scalar.to_token_stream())
+                .to_string();
         to.put("let ").put(local).put(": ").put(&ty).put(" = ").put(&as_array);
         let numbers = cx.interface.numbers(field.shape);
         to.put("::from_array([zero_; ").put(&numbers.to_string()).put("]);\n");
@@ -158,8 +161,10 @@ fn definition(printer: &RustPrinter<'_>, name: &impl ToTokens, lines: &Text) -> 
         (printer.dialect.cx, printer.routine, &printer.dialect.cx.names.scalar);
     let scalar = quote!(#scalar);
     let unread = printer.dialect.arguments.unread(&routine.reads);
-    let (result, received) =
-        (results::ty(cx, routine.result, &scalar), printer.dialect.arguments.received(&scalar));
+    let (result, received) = (
+        results::ty(cx.interface, &cx.paths, routine.result, &scalar),
+        printer.dialect.arguments.received(&scalar),
+    );
     let (guard, guards) = (generated("checks_"), cx.paths.item("Checks"));
     let unguarded = (!routine.has_checks).then(|| quote!(let _ = #guard;));
     quote! {

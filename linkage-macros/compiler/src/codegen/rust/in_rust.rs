@@ -3,8 +3,8 @@
 
 use proc_macro2::{Ident, Literal};
 
+use super::context::Context;
 use crate::codegen::arguments::Arguments;
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::generated;
 use crate::codegen::printer::{Dialect, Operation, Printer};
 use crate::codegen::text::Text;
@@ -29,8 +29,7 @@ pub(super) type RustPrinter<'a> = Printer<'a, InRust<'a>>;
 
 impl<'a> RustPrinter<'a> {
     pub(super) fn new(cx: &'a Context<'a>, routine: &'a Routine) -> Self {
-        let (arguments, number) =
-            (Arguments::with_call_site_spans(cx, &routine.given), cx.number());
+        let (arguments, number) = (cx.signatures.with_call_site_spans(&routine.given), cx.number());
         let dialect = InRust { cx, arguments, number: number.to_string() };
         Self { lowered: cx.lowered, routine, dialect }
     }

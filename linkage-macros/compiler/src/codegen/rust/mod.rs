@@ -1,17 +1,22 @@
 //! Routines into Rust: one struct for the mechanism, records for what goes in and comes out, and
 //! for every entry point a fast path, a slow path and the function that chooses.
+//!
+//! Paths into the run-time crate are made in `paths`, and nowhere else.
 
 mod as_solver;
 mod autodiff;
 mod c_export;
 mod checked;
+pub(super) mod context;
 mod cost_constant;
+mod declared_arguments;
 mod editor_names;
 mod fast_path;
 pub(super) mod formulas;
 mod in_rust;
 mod input_records;
 mod module;
+pub(super) mod paths;
 mod results;
 pub(super) mod root_functions;
 mod slow_path;
@@ -19,13 +24,13 @@ pub(super) mod solver;
 mod state_rates;
 mod structs;
 mod sweeps;
+mod token_list;
 mod tracking;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::arguments;
-use super::context::Context;
+use self::context::Context;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
@@ -47,7 +52,7 @@ pub(super) fn generate(
 /// user's, and its paths are short.
 fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStream {
     let import = cx.paths.import_in_constant();
-    let arguments = cx.paths.import_arguments(arguments::all_names(cx));
+    let arguments = cx.paths.import_arguments(declared_arguments::all_names(&cx.signatures));
     let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
     let fast = cx.entries().map(|entry| fast_path::function(cx, entry));
     let followed = cx.entries().map(|entry| fast_path::following(cx, entry));

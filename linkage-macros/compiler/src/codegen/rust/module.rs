@@ -8,10 +8,11 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::Visibility;
 
-use crate::codegen::context::Context;
+use super::context::Context;
+use super::paths::{a_module_can_hold, seen_from_inside};
 use crate::codegen::identifiers::{generated, text};
-use crate::codegen::paths::{a_module_can_hold, seen_from_inside};
 use crate::interface::entries::Analysis;
+use crate::model::mechanism::Mechanism;
 
 /// The code in its module, and its items where the declaration stands.
 pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
@@ -57,8 +58,8 @@ fn allowed() -> TokenStream {
 }
 
 /// The same in front of a struct, unless the module around it says so.
-pub(super) fn allowed_outside(cx: &Context<'_>) -> Option<TokenStream> {
-    (!a_module_can_hold(cx.mechanism)).then(allowed)
+pub(super) fn allowed_outside(mechanism: &Mechanism) -> Option<TokenStream> {
+    (!a_module_can_hold(mechanism)).then(allowed)
 }
 
 fn name(solver: &Ident) -> Ident {
@@ -66,9 +67,9 @@ fn name(solver: &Ident) -> Ident {
 }
 
 /// The visibility of the structs inside the module that gives them the declared visibility outside.
-pub(super) fn visibility_inside(cx: &Context<'_>) -> TokenStream {
-    let visibility = &cx.mechanism.visibility;
-    if !a_module_can_hold(cx.mechanism) {
+pub(super) fn visibility_inside(mechanism: &Mechanism) -> TokenStream {
+    let visibility = &mechanism.visibility;
+    if !a_module_can_hold(mechanism) {
         return quote!(#visibility);
     }
     match visibility {

@@ -3,23 +3,29 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::codegen::context::Context;
+use super::paths::Paths;
 use crate::codegen::identifiers::generated;
 use crate::codegen::text::Text;
+use crate::interface::Interface;
 use crate::interface::components::Component;
 use crate::interface::quantity::{Layout, QuantityPart};
 use crate::interface::records::Shape;
 
 /// The type of a result, for numbers of this type.
-pub(super) fn ty(cx: &Context<'_>, shape: Shape, scalar: &TokenStream) -> TokenStream {
+pub(super) fn ty(
+    interface: &Interface,
+    paths: &Paths,
+    shape: Shape,
+    scalar: &TokenStream,
+) -> TokenStream {
     match shape {
         Shape::Record(id) => {
-            let name = &cx.record(id).name;
+            let name = &interface.record(id).name;
             quote!(#name<#scalar>)
         }
         Shape::Quantity(quantity, order) => match quantity.layout(order).record {
             Some(record) => {
-                let record = cx.paths.outside(record);
+                let record = paths.outside(record);
                 quote!(#record<#scalar>)
             }
             None => scalar.clone(),
@@ -39,11 +45,11 @@ pub(super) fn ty(cx: &Context<'_>, shape: Shape, scalar: &TokenStream) -> TokenS
 /// An answer with something else in place of its result. `?` or a closure would be shorter to read, and
 /// more for rustc to check.
 pub(super) fn in_place(
-    cx: &Context<'_>,
+    paths: &Paths,
     answer: &TokenStream,
     other: impl FnOnce(&Ident) -> TokenStream,
 ) -> TokenStream {
-    let [ok, err] = ["Ok", "Err"].map(|item| cx.paths.item(item));
+    let [ok, err] = ["Ok", "Err"].map(|item| paths.item(item));
     let [result, error] = ["result_", "error_"].map(generated);
     let other = other(&result);
     quote!(match #answer { #ok(#result) => #ok(#other), #err(#error) => #err(#error) })
@@ -51,7 +57,8 @@ pub(super) fn in_place(
 
 /// Writes a result of its numbers, of which each call of `next` writes one.
 pub(super) fn assemble(
-    cx: &Context<'_>,
+    interface: &Interface,
+    paths: &Paths,
     shape: Shape,
     to: &mut Text,
     next: &mut dyn FnMut(&mut Text),
@@ -61,7 +68,7 @@ pub(super) fn assemble(
         Shape::List(count) => {
             to.put("[").list(0..count, |to, _| next(to)).put("]");
         }
-        Shape::Quantity(quantity, order) => quantity_of(cx, quantity.layout(order), to, next),
+        Shape::Quantity(quantity, order) => quantity_of(paths, quantity.layout(order), to, next),
         Shape::Matrix { rows, columns } => {
             // The numbers come column by column.
             let values = (0..rows * columns).map(|_| {
@@ -77,32 +84,32 @@ pub(super) fn assemble(
             to.put("[").list(0..rows, row).put("]");
         }
         Shape::Record(id) => {
-            let record = cx.record(id);
+            let record = interface.record(id);
             to.put(&record.name.to_string()).put(" { ");
             to.list(&record.fields, |to, field| {
                 to.put(&field.name.to_string()).put(": ");
-                assemble(cx, field.shape, to, next);
+                assemble(interface, paths, field.shape, to, next);
             });
             to.put(" }");
         }
     }
 }
 
-fn quantity_of(cx: &Context<'_>, layout: &Layout, to: &mut Text, next: &mut dyn FnMut(&mut Text)) {
+fn quantity_of(paths: &Paths, layout: &Layout, to: &mut Text, next: &mut dyn FnMut(&mut Text)) {
     let Some(record) = layout.record else {
         return layout.parts.iter().for_each(|_| next(to));
     };
-    to.put(&cx.paths.written(record)).put(" { ");
+    to.put(&paths.written(record)).put(" { ");
     to.list(layout.parts, |to, part| to.field(part.field, &mut *next)).put(" }");
 }
 
 /// The numbers of a result, in the order in which [`assemble`] takes them.
-pub(super) fn components(cx: &Context<'_>, shape: Shape, result: &str) -> Vec<String> {
+pub(super) fn components(interface: &Interface, shape: Shape, result: &str) -> Vec<String> {
     let written = |step: &Component| match step {
         Component::Field(name) => format!(".{name}"),
         Component::Index(at) => format!("[{at}]"),
     };
-    let ways = cx.interface.components(shape).into_iter();
+    let ways = interface.components(shape).into_iter();
     ways.map(|way| result.to_string() + &way.iter().map(written).collect::<String>()).collect()
 }
 

@@ -3,8 +3,9 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::context::Context;
 use super::in_rust::RustPrinter;
-use crate::codegen::context::Context;
+use super::paths::Paths;
 use crate::codegen::docs::doc_comments;
 use crate::codegen::identifiers::{generated, text};
 use crate::codegen::text::Text;
@@ -12,6 +13,7 @@ use crate::ir::graph::{Target, Trend};
 use crate::lower::TRIAL;
 use crate::lower::routine::Apart;
 use crate::lower::routine::Search;
+use crate::model::mechanism::Mechanism;
 
 /// One function a root: nothing but this is done again and again.
 pub(in crate::codegen) fn functions(cx: &Context<'_>) -> TokenStream {
@@ -25,7 +27,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let [result, error, option] = ["Result", "FindError", "Option"].map(|item| cx.paths.item(item));
     let finder = if search.asks_for_a_turn { "root_within_a_turn" } else { "root" };
     let (find, trial) = (cx.paths.item(finder), generated(TRIAL));
-    let trend = trend(cx, search.sought.trend);
+    let trend = trend(cx.mechanism, &cx.paths, search.sought.trend);
     let between = search.sought.between.map(|end| printer.value_alone(end));
     let near = search.sought.near.map(|near| printer.value_alone(near));
     let near = near.map_or(quote!(#option::None), |near| quote!(#option::Some(#near)));
@@ -35,7 +37,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     lines.put("[").list(search.sought.sides, |to, side| printer.value(side, to)).put("]");
     let given: Vec<_> = given.collect();
     let (real, plain) = (cx.paths.item("Real"), generated("plain_"));
-    let (name, docs) = (generated(&search.routine.name), docs(cx, search));
+    let (name, docs) = (generated(&search.routine.name), docs(cx.mechanism, search));
     if let Target::End(end) = search.sought.wanted {
         let (bound, end) = (cx.paths.item("bound"), Literal::u8_unsuffixed(end));
         return quote! {
@@ -51,7 +53,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let (received, passed, find, begins) = match search.apart {
         Some(apart) => {
             let [seed, by_seed] = ["Seed", "root_by_seed"].map(|item| cx.paths.item(item));
-            let (side, name) = (apart_of(cx, &printer, search, apart), generated("seed_"));
+            let (side, name) = (apart_of(&cx.paths, &printer, search, apart), generated("seed_"));
             let received = quote!(, #name: #option<&mut #seed<#scalar>>,);
             (received, quote!(, #option::None), by_seed, quote!(#name, #side))
         }
@@ -76,19 +78,19 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
 
 /// The side that no trial changes, as the search is given it.
 fn apart_of(
-    cx: &Context<'_>,
+    paths: &Paths,
     printer: &RustPrinter<'_>,
     search: &Search,
     apart: Apart,
 ) -> TokenStream {
     let Apart { given, has_one_root } = apart;
-    let (ty, is_right) = (cx.paths.item("Apart"), given == 1);
+    let (ty, is_right) = (paths.item("Apart"), given == 1);
     let given = printer.value_alone(search.sought.sides[given]);
     quote!(#ty { given: #given, is_right: #is_right, has_one_root: #has_one_root })
 }
 
-fn docs(cx: &Context<'_>, search: &Search) -> TokenStream {
-    let name = text(&cx.mechanism.unknowns[search.sought.unknown as usize].name);
+fn docs(mechanism: &Mechanism, search: &Search) -> TokenStream {
+    let name = text(&mechanism.unknowns[search.sought.unknown as usize].name);
     doc_comments::lines(&match search.sought.wanted {
         Target::Root => format!(
             "Where `{name}` solves its equation, and the size that its rounding is measured by."
@@ -101,13 +103,13 @@ fn docs(cx: &Context<'_>, search: &Search) -> TokenStream {
 }
 
 /// The sign of the slope at the root.
-fn trend(cx: &Context<'_>, trend: Trend) -> TokenStream {
-    let ty = cx.paths.item("Trend");
+fn trend(mechanism: &Mechanism, paths: &Paths, trend: Trend) -> TokenStream {
+    let ty = paths.item("Trend");
     match trend {
         Trend::Rising => quote!(#ty::Rising),
         Trend::Falling => quote!(#ty::Falling),
         Trend::Param(param) => {
-            let field = &cx.mechanism.params[param as usize].name;
+            let field = &mechanism.params[param as usize].name;
             quote!(self.#field)
         }
     }

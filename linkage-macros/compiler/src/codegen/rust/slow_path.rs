@@ -4,13 +4,13 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::context::Context;
+use super::token_list::Tokens;
 use super::{formulas, results};
 use crate::codegen::arguments::Arguments;
-use crate::codegen::context::Context;
 use crate::codegen::docs;
 use crate::codegen::identifiers::{generated, text};
 use crate::codegen::text::Text;
-use crate::codegen::token_list::Tokens;
 use crate::interface::entries::Entry;
 use crate::interface::records::{RecordKind, Shape};
 use crate::interface::{EntryId, labels};
@@ -64,12 +64,13 @@ pub(super) fn function(cx: &Context<'_>, id: EntryId) -> Option<TokenStream> {
     let (entry, scalar) = (cx.entry(id), &cx.names.scalar);
     let number = quote!(#scalar);
     let Compute::Own { routine, stage, asked } = cx.compute(id) else { return None };
-    let arguments = Arguments::new(cx, &entry.given);
+    let arguments = cx.signatures.arguments(&entry.given);
     let (name, received) = (name(entry), arguments.received(&number));
     let call = formulas::Call { routine: *routine, stage: *stage };
     let body = diagnosed(cx, entry, &arguments, call, asked);
     let [outcome, error] = ["Result", "SolveError"].map(|item| cx.paths.item(item));
-    let (docs, result) = (docs::slow_path(entry), results::ty(cx, entry.result, &number));
+    let (docs, result) =
+        (docs::slow_path(entry), results::ty(cx.interface, &cx.paths, entry.result, &number));
     Some(quote! {
         #docs
         #[cold]
@@ -93,8 +94,9 @@ fn diagnosed(
     if let Shape::Record(_) = entry.result {
         return quote!(#diagnose(&#given, |#checks| #formulas));
     }
-    let (diagnose_all, labels) = (cx.paths.item("diagnose_all"), coefficient_labels(cx, entry));
-    let values = results::components(cx, entry.result, "result_");
+    let diagnose_all = cx.paths.item("diagnose_all");
+    let labels = labels::of_result(cx.interface, cx.mechanism, entry);
+    let values = results::components(cx.interface, entry.result, "result_");
     let pairs = asked.results.iter().map(|&at| {
         let (value, label) = (Text::from(values[at].clone()), &labels[at]);
         quote!((#value, #label))
@@ -108,8 +110,4 @@ fn diagnosed(
             |#result| [#(#pairs),*],
         )
     }
-}
-
-fn coefficient_labels(cx: &Context<'_>, entry: &Entry) -> Vec<String> {
-    labels::of_result(cx.interface, cx.mechanism, entry)
 }

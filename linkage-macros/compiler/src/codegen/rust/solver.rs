@@ -3,13 +3,14 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
+use super::context::{Context, literal, numeric_params};
+use super::paths::Paths;
+use super::token_list::Tokens;
 use super::{cost_constant, module, structs};
-use crate::codegen::context::{Context, literal};
 use crate::codegen::identifiers::{generated, text};
-use crate::codegen::token_list::Tokens;
 use crate::codegen::{docs, identifiers};
 use crate::interface::{force_records, labels};
-use crate::model::mechanism::{DeclaredOutput, Param, ParamKind, Sign};
+use crate::model::mechanism::{DeclaredOutput, Mechanism, Param, ParamKind, Sign};
 use crate::syntax::anatomy::Modes;
 
 /// The implementations that need no solving: constants, `Default` and `lift`.
@@ -20,11 +21,12 @@ pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
 
 /// The struct itself.
 pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
-    let (scalar, visibility) = (&cx.names.scalar, module::visibility_inside(cx));
-    let (docs, attributes) = (docs::solver(cx), structs::attributes(cx));
+    let (scalar, visibility) = (&cx.names.scalar, module::visibility_inside(cx.mechanism));
+    let (docs, attributes) =
+        (docs::solver(cx.mechanism, cx.lowered), structs::attributes(cx.mechanism, &cx.paths));
     let declared = &cx.mechanism.name;
     let fields = cx.mechanism.params.iter().map(|param| {
-        let (docs, field) = (docs::param(cx, param), &param.name);
+        let (docs, field) = (docs::param(cx.mechanism, param), &param.name);
         let ty = match mode_type(param) {
             Some(ty) => cx.paths.outside(ty),
             None => scalar.clone().into(),
@@ -32,7 +34,8 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
         quote!(#docs pub #field: #ty,)
     });
     let (phantom, float) = (cx.paths.outside("PhantomData"), cx.paths.outside("f64"));
-    let marker = marker(cx).map(|(field, _)| quote!(#[doc(hidden)] pub #field: #phantom<#scalar>,));
+    let marker = marker(cx.mechanism, &cx.paths)
+        .map(|(field, _)| quote!(#[doc(hidden)] pub #field: #phantom<#scalar>,));
     quote! {
         #docs
         #attributes
@@ -51,14 +54,14 @@ fn mode_type(param: &Param) -> Option<&'static str> {
 /// Without a numeric parameter nothing holds the type parameter: the field that does, by its name
 /// and its value, whose type has the value's name. The field is public, so that `..Solver::new()`
 /// stays usable, and its name says what to write in place of `Solver {}`.
-pub(super) fn marker(cx: &Context<'_>) -> Option<(Ident, Tokens)> {
-    let taken = |name: &str| cx.mechanism.params.iter().any(|param| param.name == name);
+pub(super) fn marker(mechanism: &Mechanism, paths: &Paths) -> Option<(Ident, Tokens)> {
+    let taken = |name: &str| mechanism.params.iter().any(|param| param.name == name);
     let mut name = String::from("use_new_");
     while taken(&name) {
         name.push('_');
     }
-    let phantom = cx.paths.item("PhantomData");
-    cx.numeric_params().is_empty().then(|| (generated(&name), phantom))
+    let phantom = paths.item("PhantomData");
+    numeric_params(mechanism).is_empty().then(|| (generated(&name), phantom))
 }
 
 /// A parameter as the solver holds it.
@@ -69,12 +72,13 @@ pub(in crate::codegen) fn held(param: &Param) -> TokenStream {
 
 /// `Self { … }` with every field given by the expression made for its parameter.
 pub(super) fn construct(
-    cx: &Context<'_>,
+    mechanism: &Mechanism,
+    paths: &Paths,
     name: &TokenStream,
     number: impl Fn(&Param) -> TokenStream,
     mode: impl Fn(&Param) -> TokenStream,
 ) -> TokenStream {
-    let fields = cx.mechanism.params.iter().map(|param| {
+    let fields = mechanism.params.iter().map(|param| {
         let field = identifiers::used(&param.name);
         let value = match param.kind {
             ParamKind::Number { .. } => number(param),
@@ -82,13 +86,14 @@ pub(super) fn construct(
         };
         quote!(#field: #value,)
     });
-    let marker = marker(cx).map(|(field, value)| quote!(#field: #value));
+    let marker = marker(mechanism, paths).map(|(field, value)| quote!(#field: #value));
     quote!(#name { #(#fields)* #marker })
 }
 
 /// The parameter as declared, a number by `lit` or as a plain literal.
 fn defaults(
-    cx: &Context<'_>,
+    mechanism: &Mechanism,
+    paths: &Paths,
     name: &TokenStream,
     number: impl Fn(f64, f32) -> Tokens,
 ) -> TokenStream {
@@ -99,11 +104,11 @@ fn defaults(
         _ => TokenStream::new(),
     };
     let mode = |param: &Param| {
-        let ty = mode_type(param).map(|ty| cx.paths.item(ty));
+        let ty = mode_type(param).map(|ty| paths.item(ty));
         let variant = default_variant(param);
         quote!(#ty::#variant)
     };
-    construct(cx, name, number, mode)
+    construct(mechanism, paths, name, number, mode)
 }
 
 fn default_variant(param: &Param) -> TokenStream {
@@ -116,16 +121,17 @@ fn default_variant(param: &Param) -> TokenStream {
 /// The constants and `new`, in an implementation that is named without a type parameter.
 fn constants(cx: &Context<'_>) -> TokenStream {
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
-    let new = defaults(cx, &quote!(#name), |wide, _| literal(wide));
-    let (outputs, rows) = (output_rows(cx), cx.rows());
+    let new = defaults(cx.mechanism, &cx.paths, &quote!(#name), |wide, _| literal(wide));
+    let (outputs, rows) = (output_rows(cx.mechanism), cx.rows());
     let inputs = cx.mechanism.inputs.iter().map(|input| &input.name);
     let inputs = inputs.map(|name| identifiers::string(&text(name), name.span()));
-    let params = cx.numeric_params();
+    let params = numeric_params(cx.mechanism);
     let params: Vec<_> =
         params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
     let (cost_type, cost) = (cost_constant::ty(cx), cost_constant::constant(cx));
-    let (forces, cost_docs, drawn) = (force_rows(cx), docs::cost(cx), drawn(cx));
+    let (forces, cost_docs, drawn) =
+        (force_rows(cx.mechanism), docs::cost(cx.mechanism.is_stub), drawn(cx));
     let [float, string, same_as] = ["f64", "str", "SameAs"].map(|name| cx.paths.item(name));
     quote! {
         impl #name<#float> {
@@ -164,8 +170,8 @@ fn drawn(cx: &Context<'_>) -> TokenStream {
 }
 
 /// The rows of forces, and the loads; nothing where nothing is asked about forces.
-fn force_rows(cx: &Context<'_>) -> TokenStream {
-    let dynamics = &cx.mechanism.dynamics;
+fn force_rows(mechanism: &Mechanism) -> TokenStream {
+    let dynamics = &mechanism.dynamics;
     if dynamics.asked.is_empty() {
         return TokenStream::new();
     }
@@ -188,18 +194,19 @@ fn force_rows(cx: &Context<'_>) -> TokenStream {
 }
 
 /// All rows of the outputs.
-fn output_rows(cx: &Context<'_>) -> Vec<TokenStream> {
+fn output_rows(mechanism: &Mechanism) -> Vec<TokenStream> {
     let rows = |output: &DeclaredOutput| {
-        let rows = labels::rows(cx.mechanism, output).into_iter();
+        let rows = labels::rows(mechanism, output).into_iter();
         rows.map(|row| identifiers::string(&row, output.field.span())).collect::<Vec<_>>()
     };
-    cx.mechanism.outputs.iter().flat_map(rows).collect()
+    mechanism.outputs.iter().flat_map(rows).collect()
 }
 
 fn default(cx: &Context<'_>) -> TokenStream {
     let (name, scalar) = (&cx.names.solver, &cx.names.scalar);
     let (default, any) = (cx.paths.item("Default"), cx.paths.item("Scalar"));
-    let value = defaults(cx, &quote!(Self), |wide, narrow| cx.literal(wide, narrow));
+    let value =
+        defaults(cx.mechanism, &cx.paths, &quote!(Self), |wide, narrow| cx.literal(wide, narrow));
     quote! {
         impl<#scalar: #any> #default for #name<#scalar> {
             /// The solver with all parameters at their declared values, rounded once.
@@ -213,8 +220,8 @@ fn default(cx: &Context<'_>) -> TokenStream {
 fn lift(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, lifted) = (&cx.names.solver, &cx.names.scalar, &cx.names.lifted);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
-    let number = |param: &Param| lifted_number(cx, &held(param), &quote!(#lifted));
-    let value = construct(cx, &quote!(#name), number, held);
+    let number = |param: &Param| lifted_number(&cx.paths, &held(param), &quote!(#lifted));
+    let value = construct(cx.mechanism, &cx.paths, &quote!(#name), number, held);
     quote! {
         impl<#scalar: #real> #name<#scalar> {
             /// The same solver on other numbers, the parameters without derivatives.
@@ -227,11 +234,11 @@ fn lift(cx: &Context<'_>) -> TokenStream {
 
 /// A number without its derivatives as one of another type.
 pub(super) fn lifted_number(
-    cx: &Context<'_>,
+    paths: &Paths,
     value: &TokenStream,
     target: &TokenStream,
 ) -> TokenStream {
-    let [real, scalar, narrow] = ["Real", "Scalar", "f32"].map(|name| cx.paths.item(name));
+    let [real, scalar, narrow] = ["Real", "Scalar", "f32"].map(|name| paths.item(name));
     let value = quote!(#real::value(#value));
     quote!(<#target as #scalar>::lit(#value, #value as #narrow))
 }

@@ -4,11 +4,12 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use crate::codegen::arguments::{Arguments, clear_of};
-use crate::codegen::context::Context;
+use super::context::Context;
+use crate::codegen::arguments::clear_of;
 use crate::codegen::docs::doc_comments::lines;
 use crate::codegen::identifiers::{generated, text};
 use crate::interface::entries::Analysis;
+use crate::model::mechanism::Mechanism;
 
 /// Nothing where there is no forward dynamics.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
@@ -17,8 +18,8 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 }
 
 /// The names of the numbers of a state: values, rates and second rates of the inputs.
-fn state(cx: &Context<'_>) -> [Vec<Ident>; 3] {
-    let count = cx.mechanism.inputs.len();
+fn state(mechanism: &Mechanism) -> [Vec<Ident>; 3] {
+    let count = mechanism.inputs.len();
     let named = |letter: &str| (0..count).map(|i| generated(&format!("{letter}{i}_"))).collect();
     ["q", "v", "a"].map(named)
 }
@@ -43,15 +44,15 @@ fn state_rates(cx: &Context<'_>) -> TokenStream {
     let number = quote!(#scalar);
     let title = cx.entry(id).name();
     let forward = Ident::new(title, Span::call_site());
-    let arguments = Arguments::new(cx, &cx.entry(id).given);
+    let arguments = cx.signatures.arguments(&cx.entry(id).given);
     // Values and rates are the state; drives and loads come as they do.
-    let (own, declared) = (&arguments.names()[2..], arguments.declared(&number));
+    let (own, declared) = (&arguments.names()[2..], arguments.declared(&cx.paths, &number));
     let declared = &declared[2..];
     let count = cx.mechanism.inputs.len();
     let states = Literal::usize_unsuffixed(2 * count);
     let [real, result, error, ok] =
         ["Real", "Result", "SolveError", "Ok"].map(|i| cx.paths.item(i));
-    let [values, rates, seconds] = state(cx);
+    let [values, rates, seconds] = state(cx.mechanism);
     let list = |names: &[Ident]| match names {
         [only] => quote!(#only),
         names => quote!([#(#names),*]),
@@ -83,11 +84,13 @@ fn state_rates(cx: &Context<'_>) -> TokenStream {
 /// both of them.
 fn mixed(cx: &Context<'_>) -> TokenStream {
     let equations = cx.interface.find(Analysis::EquationsOfMotion.by_value());
-    let (Some(id), Some(_)) = (equations, cx.inputs()) else { return TokenStream::new() };
+    let (Some(id), Some(_)) = (equations, cx.interface.input_record()) else {
+        return TokenStream::new();
+    };
     let (solver, scalar) = (&cx.names.solver, &cx.names.scalar);
     let number = quote!(#scalar);
-    let arguments = Arguments::new(cx, &cx.entry(id).given);
-    let (names, declared) = (arguments.names(), arguments.declared(&number));
+    let arguments = cx.signatures.arguments(&cx.entry(id).given);
+    let (names, declared) = (arguments.names(), arguments.declared(&cx.paths, &number));
     let told = clear_of(names, Ident::new("given", Span::call_site()));
     let (own, own_declared) = (&names[2..], &declared[2..]);
     let (declared, equations) =
@@ -97,7 +100,7 @@ fn mixed(cx: &Context<'_>) -> TokenStream {
     let [real, result, error, ok, given, mixed, solve, float] =
         ["Real", "Result", "SolveError", "Ok", "Given", "Mixed", "mixed_dynamics", "f64"]
             .map(|item| cx.paths.item(item));
-    let [values, rates, _] = state(cx);
+    let [values, rates, _] = state(cx.mechanism);
     let rates_are_finite = rates_are_finite(cx, &rates);
     let [found, second_rates] = ["found_", "second_rates_"].map(generated);
     let seconds = (0..values.len()).map(Literal::usize_unsuffixed);

@@ -3,21 +3,23 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::context::Context;
 use super::module;
+use super::paths::Paths;
 use super::results::{self, read, ty};
-use crate::codegen::context::Context;
 use crate::codegen::docs;
 use crate::codegen::identifiers::generated;
 use crate::codegen::text::Text;
-use crate::interface::labels;
 use crate::interface::quantity::Order;
 use crate::interface::records::{Field, Record, RecordId, RecordKind, Shape};
+use crate::interface::{Interface, labels};
+use crate::model::mechanism::Mechanism;
 
 /// All records of a mechanism, each for serde as well where they are to be serialised.
 pub(super) fn definitions(cx: &Context<'_>, is_serialised: bool) -> TokenStream {
     let records = cx.interface.records.iter().filter(|record| cx.interface.is_used(record));
     let defined = |record: &Record| match is_serialised && serde_knows(record) {
-        true => serialised(cx, &definition(cx, record)),
+        true => serialised(&cx.paths, &definition(cx, record)),
         false => definition(cx, record),
     };
     records.map(defined).collect()
@@ -33,9 +35,9 @@ fn serde_knows(record: &Record) -> bool {
 }
 
 /// The record with serde's derives where the run-time crate has its feature `serde`.
-fn serialised(cx: &Context<'_>, definition: &TokenStream) -> TokenStream {
+fn serialised(paths: &Paths, definition: &TokenStream) -> TokenStream {
     let ([with_serde, serde], derive) =
-        (["with_serde", "serde"].map(|item| cx.paths.outside(item)), cx.paths.outside("derive"));
+        (["with_serde", "serde"].map(|item| paths.outside(item)), paths.outside("derive"));
     let path = serde.to_token_stream().to_string().replace(' ', "");
     quote! {
         #with_serde! {
@@ -60,20 +62,21 @@ pub(super) fn implementations(cx: &Context<'_>) -> TokenStream {
 }
 
 /// The attributes in front of every struct.
-pub(super) fn attributes(cx: &Context<'_>) -> TokenStream {
-    let derives = cx.paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
-    let layout = cx.mechanism.export_c.then(|| quote!(#[repr(C)]));
-    let allowed = module::allowed_outside(cx);
+pub(super) fn attributes(mechanism: &Mechanism, paths: &Paths) -> TokenStream {
+    let derives = paths.derives(&["Clone", "Copy", "Debug", "PartialEq"]);
+    let layout = mechanism.export_c.then(|| quote!(#[repr(C)]));
+    let allowed = module::allowed_outside(mechanism);
     quote!(#derives #layout #allowed)
 }
 
 fn definition(cx: &Context<'_>, record: &Record) -> TokenStream {
     let (name, scalar, visibility) =
-        (&record.name, &cx.names.scalar, module::visibility_inside(cx));
-    let (docs, attributes) = (docs::record(cx, record), attributes(cx));
+        (&record.name, &cx.names.scalar, module::visibility_inside(cx.mechanism));
+    let (docs, attributes) =
+        (docs::record(cx.mechanism, record), attributes(cx.mechanism, &cx.paths));
     let fields = record.fields.iter().map(|field| {
-        let (docs, name) = (docs::field(cx, field), &field.name);
-        let ty = ty(cx, field.shape, &quote!(#scalar));
+        let (docs, name) = (docs::field(cx.mechanism, field), &field.name);
+        let ty = ty(cx.interface, &cx.paths, field.shape, &quote!(#scalar));
         quote!(#docs pub #name: #ty)
     });
     let fields: Vec<_> = fields.collect();
@@ -153,19 +156,19 @@ fn as_array(cx: &Context<'_>, id: RecordId, to: &mut Text) {
     };
     match record.kind {
         RecordKind::Motion => {
-            by_records(cx, record, [&mut taken, &mut made]);
+            by_records(cx.interface, &cx.paths, record, [&mut taken, &mut made]);
             pattern = Text::from("list_".to_string());
         }
         // Lists are taken apart: what is indexed would have to be copied.
         RecordKind::Equations => {
-            results::assemble(cx, shape, &mut made, &mut next);
+            results::assemble(cx.interface, &cx.paths, shape, &mut made, &mut next);
             taken.put("let ").append(&made);
             taken.put(" = self; ").append(&pattern);
         }
         _ => {
-            let components = results::components(cx, shape, "self");
+            let components = results::components(cx.interface, shape, "self");
             taken.put("[").put(&components.join(", ")).put("]");
-            results::assemble(cx, shape, &mut made, &mut next);
+            results::assemble(cx.interface, &cx.paths, shape, &mut made, &mut next);
         }
     }
     let [trait_, str_] = ["Record", "str"].map(|item| cx.paths.written(item));
@@ -187,11 +190,16 @@ fn as_array(cx: &Context<'_>, id: RecordId, to: &mut Text) {
 
 /// A record of records, to and from the numbers of all of them: taken apart and joined as lists, since
 /// every number by a name of its own would cost rustc as much as a line of formulas.
-fn by_records(cx: &Context<'_>, record: &Record, [taken, made]: [&mut Text; 2]) {
-    let (trait_, joined) = (cx.paths.written("Record"), cx.paths.written("joined"));
+fn by_records(
+    interface: &Interface,
+    paths: &Paths,
+    record: &Record,
+    [taken, made]: [&mut Text; 2],
+) {
+    let (trait_, joined) = (paths.written("Record"), paths.written("joined"));
     let names: Vec<String> = record.fields.iter().map(|field| field.name.to_string()).collect();
     let counts: Vec<usize> =
-        record.fields.iter().map(|field| cx.interface.numbers(field.shape)).collect();
+        record.fields.iter().map(|field| interface.numbers(field.shape)).collect();
     taken.put(&joined).put("(").list(&names, |to, name| {
         to.put(&trait_).put("::into_array(self.").put(name).put(")");
     });

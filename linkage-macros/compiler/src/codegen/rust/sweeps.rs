@@ -4,12 +4,12 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::context::Context;
+use super::token_list::Tokens;
 use super::{fast_path, results};
 use crate::codegen::arguments::{Arguments, Form};
-use crate::codegen::context::Context;
 use crate::codegen::docs;
 use crate::codegen::identifiers::{generated, used};
-use crate::codegen::token_list::Tokens;
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::interface::records::Shape;
@@ -36,7 +36,6 @@ fn run_time_type(name: &str) -> String {
 
 struct Sweep<'a> {
     cx: &'a Context<'a>,
-    id: EntryId,
     entry: &'a Entry,
     arguments: Arguments<'a>,
     /// The count of numbers that a pose takes.
@@ -55,11 +54,10 @@ impl<'a> Sweep<'a> {
         if !entry.point.row().sweeps || entry.takes_cosine() {
             return None;
         }
-        let arguments = Arguments::new(cx, &entry.given);
+        let arguments = cx.signatures.arguments(&entry.given);
         let numbers = arguments.parts().map(|(_, form)| form.numbers()).sum();
         Some(Self {
             cx,
-            id,
             entry,
             kind: cx.paths.item(&run_time_type(entry.name())),
             arguments,
@@ -97,10 +95,10 @@ impl<'a> Sweep<'a> {
             }
         }
         let inputs = self.inputs();
-        let slices = results::ty(cx, entry.result, &quote!(&mut [#scalar]));
+        let slices = results::ty(cx.interface, &cx.paths, entry.result, &quote!(&mut [#scalar]));
         let outputs = self.numbers_of(&quote!(out));
         let function = generated(&format!("sweep_{}", entry.name()));
-        let docs = docs::sweep(cx, self.id);
+        let docs = docs::sweep(cx.mechanism, cx.interface, entry);
         quote! {
             #docs
             pub fn #function<'series>(
@@ -125,7 +123,7 @@ impl<'a> Sweep<'a> {
         let [float, any, trait_, once, result, error] =
             ["Float", "Scalar", "Entry", "FnOnce", "Result", "SolveError"]
                 .map(|item| cx.paths.item(item));
-        let (core, method) = (fast_path::core_name(cx, entry), generated(entry.name()));
+        let (core, method) = (fast_path::core_name(&cx.signatures, entry), generated(entry.name()));
         let locals: Vec<_> = self.numbered_locals();
         let arguments = self.call(&locals);
         let single = self.put_found(quote!(self.#method(#(#arguments),*)));

@@ -4,27 +4,28 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::context::{Context, numeric_params};
 use super::in_rust::RustPrinter;
 use super::input_records::{input_of, of_fields, of_numbers};
+use super::paths::Paths;
 use super::solver;
-use crate::codegen::arguments::Arguments;
-use crate::codegen::context::Context;
 use crate::codegen::identifiers::generated;
 use crate::codegen::text::Text;
 use crate::interface::entries::ArgumentKind;
+use crate::ir::program::Program;
 use crate::lower::routine::Routine;
-use crate::model::mechanism::{Param, ParamKind};
+use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 /// The count of groups with a clearance.
-pub(super) fn count(cx: &Context<'_>) -> usize {
-    cx.program().clearances.len()
+pub(super) fn count(program: &Program) -> usize {
+    program.clearances.len()
 }
 
 /// The groups' titles, and the parameters that hold their modes.
-pub(super) fn groups(cx: &Context<'_>, to: &mut Text) {
-    let [some, none] = ["Some", "None"].map(|name| cx.paths.written(name));
-    to.list(&cx.program().clearances, |to, clearance| {
-        let title = &cx.program().groups[clearance.group as usize];
+pub(super) fn groups(program: &Program, paths: &Paths, to: &mut Text) {
+    let [some, none] = ["Some", "None"].map(|name| paths.written(name));
+    to.list(&program.clearances, |to, clearance| {
+        let title = &program.groups[clearance.group as usize];
         to.put(&format!("({title:?}, "));
         match clearance.param {
             Some(param) => to.put(&format!("{some}({param}))")),
@@ -34,8 +35,8 @@ pub(super) fn groups(cx: &Context<'_>, to: &mut Text) {
 }
 
 /// The mode that a parameter's number stands for becomes the other; nothing where none is a parameter.
-pub(super) fn flips(cx: &Context<'_>, to: &mut Text) {
-    let modes = cx.mechanism.params.iter().enumerate();
+pub(super) fn flips(mechanism: &Mechanism, paths: &Paths, to: &mut Text) {
+    let modes = mechanism.params.iter().enumerate();
     let modes = modes.filter(|(_, param)| !matches!(param.kind, ParamKind::Number { .. }));
     let flips = modes.map(|(index, param)| {
         let field = &param.name;
@@ -43,7 +44,7 @@ pub(super) fn flips(cx: &Context<'_>, to: &mut Text) {
     });
     let flips: String = flips.collect();
     if !flips.is_empty() {
-        let size = cx.paths.written("usize");
+        let size = paths.written("usize");
         to.put(&format!("#[inline] fn flip(&mut self, param_: {size}) "));
         to.put(&format!("{{ match param_ {{ {flips}_ => {{}} }} }}\n"));
     }
@@ -64,14 +65,14 @@ pub(super) fn clearances(cx: &Context<'_>, to: &mut Text) {
 
 /// `told`, as far as the solver of other numbers that is asked.
 fn told(cx: &Context<'_>, to: &mut Text) {
-    let (scalar, lifted, count) = (&cx.names.scalar, &cx.names.lifted, count(cx));
+    let (scalar, lifted, count) = (&cx.names.scalar, &cx.names.lifted, count(cx.program()));
     let [real, copy, function, usize_] =
         ["Real", "Copy", "Fn", "usize"].map(|item| cx.paths.written(item));
     to.put(&format!("fn told<{lifted}: {real}, X_: {copy}>(&self, "));
     to.put(&format!("standing_: impl {function}({scalar}) -> {lifted}, "));
     to.put(&format!("input_: impl {function}({usize_}) -> {lifted}, "));
     to.put(&format!("of_: impl {function}([{lifted}; 2]) -> X_,) -> [X_; {count}] {{ "));
-    if cx.numeric_params().is_empty() {
+    if numeric_params(cx.mechanism).is_empty() {
         to.put("let _ = standing_; ");
     }
     let lift = |param: &Param| {
@@ -79,18 +80,20 @@ fn told(cx: &Context<'_>, to: &mut Text) {
         quote!(standing_(#held))
     };
     let solver = &cx.names.solver;
-    let lifted = solver::construct(cx, &quote!(#solver::<#lifted>), lift, solver::held);
+    let lifted =
+        solver::construct(cx.mechanism, &cx.paths, &quote!(#solver::<#lifted>), lift, solver::held);
     to.put(&format!("let lifted_ = {lifted};\n"));
 }
 
 /// A core without guards, as what is out of reach is a number below zero here, not a refusal.
 pub(super) fn with_rates(cx: &Context<'_>) -> Option<TokenStream> {
     let routine = cx.lowered.clearances.as_ref()?;
-    let arguments = Arguments::with_call_site_spans(cx, &[ArgumentKind::Value, ArgumentKind::Rate]);
+    let arguments = cx.signatures.with_call_site_spans(&[ArgumentKind::Value, ArgumentKind::Rate]);
     let scalar = &cx.names.scalar;
     let (received, unread) =
         (arguments.received(&quote!(#scalar)), arguments.unread(&routine.reads));
-    let (count, clearance) = (Literal::usize_unsuffixed(count(cx)), cx.paths.item("Clearance"));
+    let (count, clearance) =
+        (Literal::usize_unsuffixed(count(cx.program())), cx.paths.item("Clearance"));
     let body = listed(cx, routine);
     Some(quote! {
         fn clearances_(&self, #(#received),*) -> [#clearance<#scalar>; #count] { #unread #body }
@@ -122,7 +125,7 @@ fn on_the_way(cx: &Context<'_>, to: &mut Text) {
     let turns = routine.given.first() == Some(&ArgumentKind::Cosine);
     if turns {
         to.put(&format!("let (sin_, cos_) = {}::sin_cos(", cx.names.lifted));
-        of_numbers(cx, "input_", 0, to);
+        of_numbers(&cx.signatures, "input_", 0, to);
         to.put("); ");
     }
     to.put("let rest_ = ");
@@ -133,7 +136,7 @@ fn on_the_way(cx: &Context<'_>, to: &mut Text) {
         true => {
             to.put("cos_, sin_");
         }
-        false => of_numbers(cx, "input_", 0, to),
+        false => of_numbers(&cx.signatures, "input_", 0, to),
     }
     to.put(", rest_, rest_)).map(of_) }\n");
 }
@@ -141,11 +144,11 @@ fn on_the_way(cx: &Context<'_>, to: &mut Text) {
 /// The rates of inputs that do not move.
 fn standstill(cx: &Context<'_>, to: &mut Text) {
     let zero = format!("{}::num(0.0)", cx.names.lifted);
-    match cx.inputs() {
+    match cx.interface.input_record() {
         None => {
             to.put(&zero);
         }
-        Some(_) => of_fields(cx, to, |to, _| {
+        Some(_) => of_fields(&cx.signatures, to, |to, _| {
             to.put(&zero);
         }),
     }
@@ -154,7 +157,7 @@ fn standstill(cx: &Context<'_>, to: &mut Text) {
 /// Takes the clearances from the routine with rates, with all rates zero.
 fn at_rest(cx: &Context<'_>, to: &mut Text) {
     to.put("lifted_.clearances_(");
-    of_numbers(cx, "input_", 0, to);
+    of_numbers(&cx.signatures, "input_", 0, to);
     to.put(", ");
     standstill(cx, to);
     to.put(").map(|group_| of_([group_.value, group_.scale])) }\n");
@@ -164,22 +167,22 @@ fn at_rest(cx: &Context<'_>, to: &mut Text) {
 fn with_rates_asked(cx: &Context<'_>, to: &mut Text) {
     let scalar = &cx.names.scalar;
     let clearance = cx.paths.written("Clearance");
-    let (ty, none) = (input_of(cx, &scalar.to_string()), cx.written(0.0, 0.0));
+    let (ty, none) = (input_of(cx.interface, &scalar.to_string()), cx.written(0.0, 0.0));
     to.put(&format!("fn clearances(&self, q_: {ty} , rate_: {ty}) "));
     to.put(&format!("-> Self::Groups<{clearance}<{scalar}>> {{ self.clearances_(q_, rate_) }}\n"));
     to.put(&format!("fn enclosures(&self, middle_: {ty} , radius_: {ty} , rate_: {ty} ,) "));
     to.put(&format!("-> Self::Groups<{clearance}<{scalar}::Enclosing>> "));
     to.put(&format!("{{ self.lift:: <{scalar}::Enclosing>().clearances_("));
-    match cx.inputs() {
+    match cx.interface.input_record() {
         None => {
             to.put(&format!("middle_.enclosing(radius_), rate_.enclosing({none})"));
         }
         Some(_) => {
-            of_fields(cx, to, |to, field| {
+            of_fields(&cx.signatures, to, |to, field| {
                 to.put(&format!("middle_.{field}.enclosing(radius_.{field})"));
             });
             to.put(", ");
-            of_fields(cx, to, |to, field| {
+            of_fields(&cx.signatures, to, |to, field| {
                 to.put(&format!("rate_.{field}.enclosing({none})"));
             });
         }

@@ -4,9 +4,9 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::Attribute;
 
-use crate::codegen::context::Context;
 use crate::codegen::docs::words;
 use crate::codegen::identifiers::text;
+use crate::codegen::rust::context::Context;
 use crate::codegen::rust::solver::held;
 use crate::interface::force_records;
 use crate::interface::quantity::Order;

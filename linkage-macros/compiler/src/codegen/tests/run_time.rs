@@ -8,7 +8,7 @@ use std::path::Path;
 use syn::{Item, UseTree};
 
 use crate::codegen::c::header::{JAMS, NO_SOLUTION, SHARED};
-use crate::codegen::paths::IMPORTED;
+use crate::codegen::rust::paths::IMPORTED;
 
 /// The items of a file of the run-time crate.
 fn items(file: &str) -> Vec<Item> {

@@ -18,7 +18,7 @@ impl Model<'_> {
              instantiationToken=\"{}\" generationTool=\"linkage\" variableNamingConvention=\"flat\">\n  \
              <ModelExchange modelIdentifier=\"{stem}\"/>\n  \
              <CoSimulation modelIdentifier=\"{stem}\" canHandleVariableCommunicationStepSize=\"true\"/>\n",
-            escaped(&text(&self.to.cx.names.solver)),
+            escaped(&text(&self.to.mechanism.name)),
             self.token()
         );
         xml += &self.units();

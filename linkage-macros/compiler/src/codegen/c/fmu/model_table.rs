@@ -1,7 +1,7 @@
 //! The header of what is a model's own: its variables, and the functions that compute them.
 
 use super::{Model, PARAMETERS, Role, Variable, kind, of_drives};
-use crate::codegen::arguments::{Arguments, Form};
+use crate::codegen::arguments::Form;
 use crate::codegen::c::c_identifiers::{Width, default, file_stem, function};
 use crate::codegen::c::c_names::{is_array, param as field_of_param};
 use crate::codegen::identifiers::text;
@@ -19,7 +19,7 @@ impl Model<'_> {
         };
         let kinds: Vec<String> = self.variables.iter().map(|v| v.role.in_c()).collect();
         let starts: Vec<String> = self.variables.iter().map(|v| format!("{:?}", v.start)).collect();
-        let solver = text(&self.to.cx.names.solver);
+        let solver = text(&self.to.mechanism.name);
         // Fields may be named like the macros behind these functions.
         let (functions, names) = self.evaluation();
         let is_state = |v: &&Variable| matches!(v.role, Role::State(_));
@@ -56,23 +56,23 @@ impl Model<'_> {
 
     /// The function of a group. The first one's also computes the second rates of the inputs.
     fn evaluation_of(&self, nth: usize) -> String {
-        let cx = self.to.cx;
+        let (mechanism, interface) = (self.to.mechanism, self.to.interface());
         let mut lines =
             format!("static LinkageStatus evaluate_{nth}(double v[], LinkageError *error)\n{{\n");
         if self.to.has_params() {
             let solver = self.to.params_type();
-            let declared = default(&cx.names.solver, Width::Double);
+            let declared = default(&mechanism.name, Width::Double);
             lines += &format!("    {solver} mechanism = {declared}();\n");
         }
         lines += "    LinkageStatus status = LINKAGE_OK;\n";
-        let numbers = cx.mechanism.params.iter();
+        let numbers = mechanism.params.iter();
         let numbers = numbers.filter(|param| matches!(param.kind, ParamKind::Number { .. }));
         for (at, param) in numbers.enumerate() {
-            let field = field_of_param(cx.mechanism, &text(&param.name));
+            let field = field_of_param(mechanism, &text(&param.name));
             lines += &format!("    mechanism.{field} = v[{}];\n", self.first[PARAMETERS] + at);
         }
         if self.is_dynamic && nth == 0 {
-            let of_drives = of_drives(cx.interface).expect("it is dynamic");
+            let of_drives = of_drives(interface).expect("it is dynamic");
             lines += &self.call(of_drives, "rates", self.first[kind(ArgumentKind::Acceleration)]);
         }
         if let Some(group) = self.groups.get(nth) {
@@ -87,7 +87,7 @@ impl Model<'_> {
         let mut lines = String::from("    if (status == LINKAGE_OK) {\n");
         let mut passed: Vec<String> =
             to.has_params().then(|| "&mechanism".to_string()).into_iter().collect();
-        let arguments = Arguments::new(to.cx, &entry.given);
+        let arguments = to.signatures.arguments(&entry.given);
         for (&given, (_, form)) in entry.given.iter().zip(arguments.parts()) {
             let at = self.first[kind(given)];
             let values = (at..at + form.numbers()).map(|at| format!("v[{at}]"));
@@ -112,7 +112,7 @@ impl Model<'_> {
         let by = if is_array(entry.result) { "" } else { "&" };
         passed.extend([format!("{by}{result}"), "error".to_string()]);
         lines += &format!("        {};\n", to.result(entry.result, result));
-        let name = function(&to.cx.names.solver, entry, Width::Double);
+        let name = function(&to.mechanism.name, entry, Width::Double);
         lines += &format!(
             "        status = {name}({});\n        if (status == LINKAGE_OK) {{\n",
             passed.join(", ")

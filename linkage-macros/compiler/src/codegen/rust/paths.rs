@@ -9,11 +9,11 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::identifiers::clear_of;
 use super::token_list::Tokens;
+use crate::codegen::identifiers::clear_of;
 use crate::model::mechanism::Mechanism;
 
-pub(super) struct Paths {
+pub(in crate::codegen) struct Paths {
     /// The hidden module as the user's crate finds it.
     module: TokenStream,
     /// The name of the hidden module inside the unnamed constant.
@@ -25,7 +25,7 @@ pub(super) struct Paths {
 }
 
 /// The items of `private::names`: types, traits and variants that most mechanisms need.
-pub(super) const IMPORTED: [&str; 48] = [
+pub(in crate::codegen) const IMPORTED: [&str; 48] = [
     "AllMet",
     "AngularAcceleration",
     "AngularVelocity",
@@ -77,7 +77,7 @@ pub(super) const IMPORTED: [&str; 48] = [
 ];
 
 impl Paths {
-    pub(super) fn new(mechanism: &Mechanism, own: Vec<String>) -> Self {
+    pub(in crate::codegen) fn new(mechanism: &Mechanism, own: Vec<String>) -> Self {
         let is_held = a_module_can_hold(mechanism);
         let module = match &mechanism.crate_path {
             Some(path) => {
@@ -93,12 +93,12 @@ impl Paths {
     }
 
     /// The imports at the start of the code's own module, if it has one.
-    pub(super) fn import_in_module(&self) -> Option<TokenStream> {
+    pub(in crate::codegen) fn import_in_module(&self) -> Option<TokenStream> {
         self.is_held.then(|| self.import())
     }
 
     /// The imports at the start of the unnamed constant, unless the module around it has them.
-    pub(super) fn import_in_constant(&self) -> Option<TokenStream> {
+    pub(in crate::codegen) fn import_in_constant(&self) -> Option<TokenStream> {
         (!self.is_held).then(|| self.import())
     }
 
@@ -130,7 +130,7 @@ impl Paths {
     }
 
     /// The name of an imported item in the generated code: it ends in `_` where it would be hidden.
-    pub(super) fn imported(&self, name: &str) -> Ident {
+    pub(in crate::codegen) fn imported(&self, name: &str) -> Ident {
         let clash = if self.is_hidden(name) { "_" } else { "" };
         Ident::new(&format!("{name}{clash}"), Span::call_site())
     }
@@ -138,7 +138,10 @@ impl Paths {
     /// A function under the name of every argument: it hides a constant, a static or a unit struct
     /// of the user's that has the name, whose pattern an argument would be. What is a function may
     /// be an argument as well.
-    pub(super) fn import_arguments(&self, names: impl Iterator<Item = String>) -> TokenStream {
+    pub(in crate::codegen) fn import_arguments(
+        &self,
+        names: impl Iterator<Item = String>,
+    ) -> TokenStream {
         let module = &self.module;
         let names = names.map(|name| Ident::new(&name, Span::call_site()));
         quote! {
@@ -148,7 +151,7 @@ impl Paths {
     }
 
     /// A type, trait, function or macro of the run-time crate, where things are imported.
-    pub(super) fn item(&self, name: &str) -> Tokens {
+    pub(in crate::codegen) fn item(&self, name: &str) -> Tokens {
         match IMPORTED.contains(&name) {
             true => self.imported(name).into(),
             false => Tokens::path(self.alias.clone(), Ident::new(name, Span::call_site())),
@@ -156,7 +159,7 @@ impl Paths {
     }
 
     /// The same as text.
-    pub(super) fn written(&self, name: &str) -> String {
+    pub(in crate::codegen) fn written(&self, name: &str) -> String {
         match IMPORTED.contains(&name) {
             true => self.imported(name).to_string(),
             false => format!("{}::{name}", self.alias),
@@ -164,7 +167,7 @@ impl Paths {
     }
 
     /// The same in the definition of a type, which may stand beside the user's own items.
-    pub(super) fn outside(&self, name: &str) -> Tokens {
+    pub(in crate::codegen) fn outside(&self, name: &str) -> Tokens {
         if self.is_held {
             return self.item(name);
         }
@@ -174,7 +177,7 @@ impl Paths {
     }
 
     /// The derives of a plain record.
-    pub(super) fn derives(&self, names: &[&str]) -> TokenStream {
+    pub(in crate::codegen) fn derives(&self, names: &[&str]) -> TokenStream {
         let derive = self.outside("derive");
         let names = names.iter().map(|name| self.outside(name));
         quote!(#[#derive(#(#names),*)])
@@ -183,7 +186,7 @@ impl Paths {
 
 /// A path that begins with a name may mean an import beside the declaration, which cannot be seen
 /// from inside a module.
-pub(super) fn a_module_can_hold(mechanism: &Mechanism) -> bool {
+pub(in crate::codegen) fn a_module_can_hold(mechanism: &Mechanism) -> bool {
     let Some(path) = &mechanism.crate_path else { return true };
     let first = path.segments.first().map(|segment| segment.ident.to_string());
     let is_start = |first: String| ["crate", "self", "super"].contains(&first.as_str());
@@ -191,7 +194,7 @@ pub(super) fn a_module_can_hold(mechanism: &Mechanism) -> bool {
 }
 
 /// A path, as it reads inside the module.
-pub(super) fn seen_from_inside(path: &syn::Path) -> TokenStream {
+pub(in crate::codegen) fn seen_from_inside(path: &syn::Path) -> TokenStream {
     let first = path.segments.first().map(|segment| segment.ident.to_string());
     match first.as_deref() {
         Some("super") => quote!(super::#path),

@@ -9,11 +9,11 @@ use quote::{ToTokens, TokenStreamExt};
 
 /// A few tokens.
 #[derive(Clone)]
-pub(super) struct Tokens(Vec<TokenTree>);
+pub(in crate::codegen) struct Tokens(Vec<TokenTree>);
 
 impl Tokens {
     /// `first::second`
-    pub(super) fn path(first: Ident, second: Ident) -> Self {
+    pub(in crate::codegen) fn path(first: Ident, second: Ident) -> Self {
         let colon = |spacing| TokenTree::from(Punct::new(':', spacing));
         Self(vec![first.into(), colon(Spacing::Joint), colon(Spacing::Alone), second.into()])
     }

@@ -1,4 +1,4 @@
-//! The context that every part of the generated code is printed from.
+//! The context that generated Rust is printed from. A function that needs one part of it is given that part.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -6,10 +6,11 @@ use std::rc::Rc;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::identifiers::{GeneratedNames, generated};
 use super::paths::Paths;
-use super::text::Text;
 use super::token_list::Tokens;
+use crate::codegen::arguments::Signatures;
+use crate::codegen::identifiers::{GeneratedNames, generated};
+use crate::codegen::text::Text;
 use crate::interface::entries::Entry;
 use crate::interface::records::{Record, RecordId};
 use crate::interface::{EntryId, Interface};
@@ -19,10 +20,11 @@ use crate::ir::program::Program;
 use crate::lower::routine::{Compute, Lowered};
 use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
-pub(super) struct Context<'a> {
+pub(in crate::codegen) struct Context<'a> {
     pub mechanism: &'a Mechanism,
     pub lowered: &'a Lowered<'a>,
     pub interface: &'a Interface,
+    pub signatures: Signatures<'a>,
     pub paths: Paths,
     pub names: GeneratedNames,
     /// The written form of each constant, rounded once.
@@ -32,91 +34,80 @@ pub(super) struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    pub(super) fn new(mechanism: &'a Mechanism, lowered: &'a Lowered<'a>) -> Self {
+    pub(in crate::codegen) fn new(mechanism: &'a Mechanism, lowered: &'a Lowered<'a>) -> Self {
         let names = GeneratedNames::new(mechanism);
         let records = lowered.interface.records.iter().map(|record| record.name.to_string());
         let paths = Paths::new(mechanism, records.chain([names.solver.to_string()]).collect());
         let interface = &lowered.interface;
-        let constants = RefCell::default();
-        Self { mechanism, lowered, interface, paths, names, constants, is_double: false }
+        let (signatures, constants) = (Signatures::new(mechanism, interface), RefCell::default());
+        let is_double = false;
+        Self { mechanism, lowered, interface, signatures, paths, names, constants, is_double }
     }
 
     /// For code that computes in `f64` alone.
-    pub(super) fn in_double(mechanism: &'a Mechanism, lowered: &'a Lowered<'a>) -> Self {
+    pub(in crate::codegen) fn in_double(
+        mechanism: &'a Mechanism,
+        lowered: &'a Lowered<'a>,
+    ) -> Self {
         let cx = Self::new(mechanism, lowered);
         let names = GeneratedNames { scalar: cx.paths.imported("f64"), ..cx.names };
         Self { names, is_double: true, ..cx }
     }
 
-    pub(super) fn program(&self) -> &'a Program {
+    pub(in crate::codegen) fn program(&self) -> &'a Program {
         self.lowered.program
     }
 
-    pub(super) fn graph(&self) -> &'a Graph {
+    pub(in crate::codegen) fn graph(&self) -> &'a Graph {
         &self.lowered.program.graph
     }
 
-    pub(super) fn entries(&self) -> impl Iterator<Item = EntryId> + use<> {
+    pub(in crate::codegen) fn entries(&self) -> impl Iterator<Item = EntryId> + use<> {
         self.interface.ids()
     }
 
-    pub(super) fn entry(&self, id: EntryId) -> &'a Entry {
+    pub(in crate::codegen) fn entry(&self, id: EntryId) -> &'a Entry {
         self.interface.entry(id)
     }
 
-    pub(super) fn compute(&self, id: EntryId) -> &'a Compute {
-        &self.lowered.entries[id.index()]
+    pub(in crate::codegen) fn compute(&self, id: EntryId) -> &'a Compute {
+        self.lowered.compute(id)
     }
 
-    pub(super) fn record(&self, id: RecordId) -> &'a Record {
+    pub(in crate::codegen) fn record(&self, id: RecordId) -> &'a Record {
         self.interface.record(id)
     }
 
-    /// The name of the record of several inputs.
-    pub(super) fn inputs(&self) -> Option<&'a Ident> {
-        self.interface.inputs.map(|id| &self.record(id).name)
-    }
-
     /// The type of the inputs in a call: a number, or the record of several.
-    pub(super) fn input(&self, number: &impl ToTokens) -> TokenStream {
-        match self.inputs() {
+    pub(in crate::codegen) fn input(&self, number: &impl ToTokens) -> TokenStream {
+        match self.interface.input_record() {
             Some(record) => quote!(#record<#number>),
             None => quote!(#number),
         }
     }
 
-    /// The name of the record of several loads.
-    pub(super) fn loads(&self) -> Option<&'a Ident> {
-        self.interface.loads.map(|id| &self.record(id).name)
-    }
-
     /// True if the mechanism has an unknown, which is found by a search.
-    pub(super) fn searches(&self) -> bool {
+    pub(in crate::codegen) fn searches(&self) -> bool {
         !self.mechanism.unknowns.is_empty()
     }
 
     /// The number of rows of `OUTPUTS`.
-    pub(super) fn rows(&self) -> Literal {
+    pub(in crate::codegen) fn rows(&self) -> Literal {
         Literal::usize_unsuffixed(self.interface.rows)
     }
 
     /// The number of inputs.
-    pub(super) fn columns(&self) -> Literal {
+    pub(in crate::codegen) fn columns(&self) -> Literal {
         Literal::usize_unsuffixed(self.interface.columns)
     }
 
-    pub(super) fn numeric_params(&self) -> Vec<&'a Param> {
-        let numeric = |param: &&Param| matches!(param.kind, ParamKind::Number { .. });
-        self.mechanism.params.iter().filter(numeric).collect()
-    }
-
     /// A function of the type parameter, which nothing but its bound can provide.
-    pub(super) fn scalar(&self, function: &str) -> Tokens {
+    pub(in crate::codegen) fn scalar(&self, function: &str) -> Tokens {
         Tokens::path(self.number(), generated(function))
     }
 
     /// The type or trait whose functions compute: the type parameter, or `Scalar` for `f64`.
-    pub(super) fn number(&self) -> Ident {
+    pub(in crate::codegen) fn number(&self) -> Ident {
         // `f64` has functions of its own by these names, which are each platform's.
         match self.is_double {
             true => self.paths.imported("Scalar"),
@@ -126,12 +117,12 @@ impl<'a> Context<'a> {
 
     /// A constant as the type parameter's number, rounded to each width; where rounding twice does not
     /// show, as one literal.
-    pub(super) fn literal(&self, wide: f64, narrow: f32) -> Tokens {
+    pub(in crate::codegen) fn literal(&self, wide: f64, narrow: f32) -> Tokens {
         Text::from(self.written(wide, narrow)).into_token_stream().into()
     }
 
     /// The same as text.
-    pub(super) fn written(&self, wide: f64, narrow: f32) -> String {
+    pub(in crate::codegen) fn written(&self, wide: f64, narrow: f32) -> String {
         if self.is_double {
             return digits(wide);
         }
@@ -143,7 +134,7 @@ impl<'a> Context<'a> {
     }
 
     /// A constant of the graph as text.
-    pub(super) fn constant(&self, node: Node) -> Rc<str> {
+    pub(in crate::codegen) fn constant(&self, node: Node) -> Rc<str> {
         if let Some(known) = self.constants.borrow().get(&node) {
             return known.clone();
         }
@@ -159,6 +150,12 @@ impl<'a> Context<'a> {
     }
 }
 
+/// The parameters that are numbers.
+pub(in crate::codegen) fn numeric_params(mechanism: &Mechanism) -> Vec<&Param> {
+    let numeric = |param: &&Param| matches!(param.kind, ParamKind::Number { .. });
+    mechanism.params.iter().filter(numeric).collect()
+}
+
 /// The shortest digits that mean the number; of an infinity, which none mean, a quotient.
 fn digits(value: impl std::fmt::Debug) -> String {
     let digits = format!("{value:?}");
@@ -170,6 +167,6 @@ fn digits(value: impl std::fmt::Debug) -> String {
 }
 
 /// The same as tokens.
-pub(super) fn literal(value: impl std::fmt::Debug) -> Tokens {
+pub(in crate::codegen) fn literal(value: impl std::fmt::Debug) -> Tokens {
     Text::from(digits(value)).into_token_stream().into()
 }
