@@ -8,7 +8,9 @@ use std::ops::AddAssign;
 use crate::function::Function;
 use crate::ir::graph::{Check, Contacts, Graph, Id, Node};
 use crate::ir::hash::Map;
-use crate::ir::liveness::{Path, live, trial_nodes, tried, unguarded};
+#[cfg(test)]
+use crate::ir::liveness::{Path, live, tried};
+use crate::ir::liveness::{trial_nodes, unguarded};
 
 /// Counts of floating-point operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,7 +38,7 @@ impl AddAssign for Operations {
 pub(crate) struct Costs<'g> {
     graph: &'g Graph,
     nodes: Vec<Cost>,
-    tried: Vec<bool>,
+    tried: &'g [bool],
 }
 
 /// Cost of a node.
@@ -54,7 +56,7 @@ enum Cost {
 }
 
 impl<'g> Costs<'g> {
-    pub(crate) fn of(graph: &'g Graph) -> Self {
+    pub(crate) fn of(graph: &'g Graph, tried: &'g [bool]) -> Self {
         let (mut turned, mut multiplied) = (Map::default(), Map::default());
         let mut cost = |(id, node): (Id, Node)| match node {
             Node::Apply(Function::Sin | Function::Cos, angle) => {
@@ -94,19 +96,18 @@ impl<'g> Costs<'g> {
             },
         };
         let nodes = graph.iter().map(&mut cost).collect();
-        Self { graph, nodes, tried: tried(graph) }
+        Self { graph, nodes, tried }
     }
 
-    /// The operations that computing the sinks takes, each node once, but for what searches compute.
-    pub(crate) fn operations(&self, sinks: &[Id]) -> Operations {
-        let live = live(self.graph, sinks, Path::Fast);
+    /// The operations that computing the live nodes takes, each once, but for what searches compute.
+    pub(crate) fn operations(&self, live: &[bool]) -> Operations {
         let is_counted = |index: &usize| live[*index] && !self.tried[*index];
         self.sum((0..live.len()).filter(is_counted))
     }
 
     /// The operations of one trial of an equation, given its sides and its slope.
     pub(crate) fn of_trial(&self, sides: &[Id]) -> Operations {
-        self.sum(trial_nodes(self.graph, sides).into_iter().map(|(id, _)| id.index()))
+        self.sum(trial_nodes(self.graph, self.tried, sides).into_iter().map(|(id, _)| id.index()))
     }
 
     fn sum(&self, nodes: impl Iterator<Item = usize>) -> Operations {
@@ -125,6 +126,12 @@ impl<'g> Costs<'g> {
         }
         total
     }
+}
+
+/// The operations that computing the sinks takes.
+#[cfg(test)]
+pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
+    Costs::of(graph, &tried(graph)).operations(&live(graph, sinks, Path::Fast))
 }
 
 /// The operations that solve the equations of amounts of friction: four steps of Newton's method, and what
@@ -218,8 +225,8 @@ mod tests {
             Node::Apply(Function::Cos, b),
         ]
         .map(|node| graph.push(node));
-        assert_eq!(Costs::of(&graph).operations(&sinks).sines, 2);
-        assert_eq!(Costs::of(&graph).operations(&sinks[..2]).sines, 1);
+        assert_eq!(operations(&graph, &sinks).sines, 2);
+        assert_eq!(operations(&graph, &sinks[..2]).sines, 1);
     }
 
     #[test]
@@ -229,7 +236,7 @@ mod tests {
         let less = graph.push(Node::Neg(a));
         let sinks = [Node::Mul(a, b), Node::Fused(less, b, a), Node::Fused(b, a, b)]
             .map(|node| graph.push(node));
-        let counted = Costs::of(&graph).operations(&sinks);
+        let counted = operations(&graph, &sinks);
         let expected = Operations { additions: 2, multiplications: 1, ..Operations::default() };
         assert_eq!(counted, expected);
     }
@@ -242,11 +249,11 @@ mod tests {
         let square = graph.push(Node::Mul(product, product));
         let root = graph.push(Node::Apply(Function::Sqrt, product));
         let quotient = graph.push(Node::Div(a, b));
-        let counted = Costs::of(&graph).operations(&[square, root]);
+        let counted = operations(&graph, &[square, root]);
         let expected = Operations { multiplications: 2, roots: 1, ..Operations::default() };
         assert_eq!(counted, expected);
-        assert_eq!(Costs::of(&graph).operations(&[quotient]).divisions, 1);
-        assert_eq!(Costs::of(&graph).operations(&[quotient]).multiplications, 0);
+        assert_eq!(operations(&graph, &[quotient]).divisions, 1);
+        assert_eq!(operations(&graph, &[quotient]).multiplications, 0);
     }
 
     #[test]
@@ -258,6 +265,6 @@ mod tests {
         let guarded = graph.guard(a, guard);
         let sink = graph.push(Node::Add(guarded, b));
         let expected = Operations { additions: 1, ..Operations::default() };
-        assert_eq!(Costs::of(&graph).operations(&[sink]), expected);
+        assert_eq!(operations(&graph, &[sink]), expected);
     }
 }

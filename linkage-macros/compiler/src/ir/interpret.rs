@@ -74,7 +74,7 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &ProgramValues<N>) 
         let value = match node {
             // Nodes that depend on a trial are computed inside the search.
             _ if tried[id.index()] => N::exact(&Exact::integer(0)),
-            Node::Root(sought) => root(program, given, &mut values, &sought),
+            Node::Root(sought) => root(program, given, &tried, &mut values, &sought),
             Node::Guard(found, guard) => {
                 let amount = amount_beside(graph, guard, &values, &mut last);
                 amount.unwrap_or_else(|| values[found.index()].clone())
@@ -131,6 +131,7 @@ pub(crate) fn amount<N: Number>(contacts: &Contacts, operands: &[&N]) -> Option<
 fn root<N: Number>(
     program: &Program,
     given: &ProgramValues<N>,
+    tried: &[bool],
     values: &mut [N],
     sought: &RootSearch,
 ) -> N {
@@ -144,7 +145,7 @@ fn root<N: Number>(
     }
     let middle = from.add(&to).mul(&half);
     let mut trial = sought.near.map_or(middle, |near| values[near.index()].clone()).point();
-    let nodes = trial_nodes(&program.graph, &sought.sides);
+    let nodes = trial_nodes(&program.graph, tried, &sought.sides);
     if sought.near.is_none() {
         trial = halved(program, given, values, sought, &nodes);
     }

@@ -16,26 +16,29 @@ pub(crate) enum Path {
 /// For every node of the graph, whether one of the sinks needs it.
 pub(crate) fn live(graph: &Graph, sinks: &[Id], path: Path) -> Vec<bool> {
     let mut live = vec![false; graph.len()];
-    for sink in sinks {
-        live[sink.0 as usize] = true;
-    }
+    sinks.iter().for_each(|sink| live[sink.index()] = true);
+    spread(graph, &mut live, path);
+    live
+}
+
+/// Marks what the nodes that are live need.
+pub(super) fn spread(graph: &Graph, live: &mut [bool], path: Path) {
     // Operands stand before their users, so one walk from back to front is enough.
-    let (nodes, live_slice) = (graph.nodes(), &mut live[..]);
+    let nodes = graph.nodes();
     let mut index = nodes.len();
     while index > 0 {
         index -= 1;
-        if !live_slice[index] {
+        if !live[index] {
             continue;
         }
         let node = nodes[index];
-        let mut mark = |operand: Id| live_slice[operand.0 as usize] = true;
+        let mut mark = |operand: Id| live[operand.0 as usize] = true;
         match path {
             Path::Fast => graph.for_fast_operands_of(node, &mut mark),
             Path::Unchecked => node.for_operands(&mut mark),
             Path::Slow => graph.for_operands_of(node, &mut mark),
         }
     }
-    live
 }
 
 /// The live nodes in the order of the graph, operands before users.
@@ -65,8 +68,8 @@ pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
 
 /// Nodes that a trial computes for the sides of an equation, operands before users. Nodes that no trial
 /// changes, another root included, are not followed.
-pub(crate) fn trial_nodes(graph: &Graph, sides: &[Id]) -> Vec<(Id, Node)> {
-    let (tried, mut needed) = (tried(graph), vec![false; graph.len()]);
+pub(crate) fn trial_nodes(graph: &Graph, tried: &[bool], sides: &[Id]) -> Vec<(Id, Node)> {
+    let mut needed = vec![false; graph.len()];
     sides.iter().for_each(|side| needed[side.index()] = true);
     for index in (0..graph.len()).rev() {
         if needed[index] && tried[index] {

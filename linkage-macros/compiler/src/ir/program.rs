@@ -3,7 +3,7 @@
 use crate::exact::Exact;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id};
-use crate::ir::liveness::{Path, live};
+use crate::ir::liveness::{Path, live, spread};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Program {
@@ -42,18 +42,6 @@ impl Program {
         let closures = self.closures.iter().map(|closure| closure.condition);
         answers.copied().chain(clearances).chain(closures).collect()
     }
-
-    /// The sinks, and the conditions of the roots that they stand on.
-    pub(crate) fn with_closures(&self, sinks: &[Id]) -> Vec<Id> {
-        let mut all = sinks.to_vec();
-        // A root's equation may stand on earlier roots.
-        for closure in self.closures.iter().rev() {
-            if live(&self.graph, &all, Path::Slow)[closure.root.index()] {
-                all.push(closure.condition);
-            }
-        }
-        all
-    }
 }
 
 /// A root and its condition.
@@ -62,6 +50,33 @@ pub(crate) struct Closure {
     pub root: Id,
     /// A guarded left − right.
     pub condition: Id,
+}
+
+/// The nodes that some results need: found once, and handed to all that asks.
+pub(crate) struct Liveness {
+    /// On the slow path, the conditions of the roots that the results stand on included.
+    pub slow: Vec<bool>,
+    /// On the fast path, without these conditions.
+    pub fast: Vec<bool>,
+    /// On the fast path, with them.
+    pub counted: Vec<bool>,
+}
+
+impl Liveness {
+    pub(crate) fn of(Program { graph, closures, .. }: &Program, sinks: &[Id]) -> Self {
+        let [mut slow, fast] = [Path::Slow, Path::Fast].map(|path| live(graph, sinks, path));
+        let mut counted = fast.clone();
+        // A root's equation may stand on earlier roots.
+        for Closure { root, condition } in closures.iter().rev() {
+            if slow[root.index()] {
+                for (live, path) in [(&mut slow, Path::Slow), (&mut counted, Path::Fast)] {
+                    live[condition.index()] = true;
+                    spread(graph, live, path);
+                }
+            }
+        }
+        Self { slow, fast, counted }
+    }
 }
 
 /// Values that one entry point requests of the graph.

@@ -4,25 +4,24 @@
 use super::routine::{Apart, Search};
 use super::unique_root;
 use crate::ir::graph::{Graph, Id, Node, Target};
-use crate::ir::liveness::{trial_nodes, tried};
+use crate::ir::liveness::trial_nodes;
 
 /// Form of a search whose equation stands apart; none for any other search. A declared seed asks for
 /// another search, and ends that are parameters may be more than a turn apart.
-pub(super) fn apart(graph: &Graph, search: &Search) -> Option<Apart> {
+pub(super) fn apart(graph: &Graph, tried: &[bool], search: &Search) -> Option<Apart> {
     let sought = search.sought;
     let [left, right, slope] = sought.sides;
     let are_constant = sought.between.into_iter().all(|end| graph.as_constant(end).is_some());
     if sought.wanted != Target::Root || sought.near.is_some() || !are_constant {
         return None;
     }
-    let tried = tried(graph);
     let (given, side) = match [left, right].map(|side| tried[side.index()]) {
         [true, false] => (1, left),
         [false, true] => (0, right),
         _ => return None,
     };
     let moves = moves(graph);
-    let of_trial = trial_nodes(graph, &[side, slope]);
+    let of_trial = trial_nodes(graph, tried, &[side, slope]);
     if [side, slope]
         .into_iter()
         .chain(of_trial.iter().map(|&(id, _)| id))

@@ -17,8 +17,8 @@ use crate::interface::{EntryId, Interface};
 use crate::ir::cost::{Costs, Operations};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Set;
-use crate::ir::liveness::{Path, live, live_nodes};
-use crate::ir::program::{Clearance, Program};
+use crate::ir::liveness::{Path, live, live_nodes, tried};
+use crate::ir::program::{Clearance, Liveness, Program};
 use crate::lower::routine::is_leaf;
 use crate::model::mechanism::Mechanism;
 
@@ -27,14 +27,16 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
     let points = program.answers.iter().filter_map(|answer| answer.entry);
     let interface = Interface::of(mechanism).limited_to(points);
     let (plan, locals) = (Plan::of(&interface), locals::named(mechanism, program));
-    let searches = searches(mechanism, program, "root");
-    let builder = Builder { program, interface, locals, searches };
+    let tried = tried(&program.graph);
+    let of_nodes = Costs::of(&program.graph, &tried);
+    let searches = searches(mechanism, program, "root", (&tried, &of_nodes));
+    let needs = program.answers.iter().map(|answer| Liveness::of(program, &answer.sinks)).collect();
+    let builder = Builder { program, interface, locals, searches, tried: &tried, needs };
     let overflows: Vec<_> = plan.routines.iter().map(|entries| builder.overflow(entries)).collect();
     let routines = plan.routines.iter().zip(&overflows);
     let routines = routines.map(|(entries, overflow)| builder.routine(entries, overflow.as_ref()));
     let routines = routines.collect();
     let ids: Vec<EntryId> = builder.interface.ids().collect();
-    let of_nodes = Costs::of(builder.graph());
     let costs = ids.iter().map(|&id| builder.cost(id, &plan, &of_nodes)).collect();
     let entries = ids.iter().map(|&id| match plan.strategies[id.index()] {
         Strategy::Delegate { entry, given } => Compute::Delegate { entry, given },
@@ -44,7 +46,7 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
         }
     });
     let (entries, clearances) = (entries.collect(), builder.clearances());
-    let Builder { program, interface, searches, .. } = builder;
+    let Builder { interface, searches, .. } = builder;
     Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
@@ -58,8 +60,11 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
     // A placing program has no entry points: the records of the solver's own are enough.
     let interface = Interface::of(mechanism).limited_to(std::iter::empty());
     // The solver's own searches are given other values: those of its own graph.
-    let searches = searches(mechanism, program, "placed_root");
-    let builder = Builder { program, interface, locals: Locals::default(), searches };
+    let tried = tried(&program.graph);
+    let costs = Costs::of(&program.graph, &tried);
+    let searches = searches(mechanism, program, "placed_root", (&tried, &costs));
+    let (locals, needs) = (Locals::default(), Vec::new());
+    let builder = Builder { program, interface, locals, searches, tried: &tried, needs };
     let drives = mechanism.dynamics.driven().map(|_| ArgumentKind::Drives);
     let loads = (!mechanism.dynamics.loads.is_empty()).then_some(ArgumentKind::Loads);
     let forces: Vec<ArgumentKind> =
@@ -80,7 +85,7 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
 /// Puts clearances behind the last statement of the stage that they need. Operands used only by clearances
 /// belong to them: a later statement that needs one computes it again.
 fn tell(schedule: &Schedule<'_>, clearances: &[Id], stage: &mut Vec<Instruction>) {
-    let statements = schedule.clone().stage(clearances);
+    let statements = schedule.clone().stage(&live(schedule.graph, clearances, schedule.path));
     let told = Instruction::ReportClearances { statements, clearances: clearances.to_vec() };
     let mut needed = Set::default();
     schedule.for_uses(&told, &mut |id| {
@@ -96,6 +101,10 @@ struct Builder<'p> {
     interface: Interface,
     locals: Locals,
     searches: Vec<Search>,
+    /// Nodes that only a search computes.
+    tried: &'p [bool],
+    /// The nodes that each answer of the program needs.
+    needs: Vec<Liveness>,
 }
 
 impl Builder<'_> {
@@ -107,14 +116,14 @@ impl Builder<'_> {
         &self.program.answers[entry.index()].sinks
     }
 
-    /// The sinks, and what their roots stand under.
-    fn needed(&self, entry: EntryId) -> Vec<Id> {
-        self.program.with_closures(self.sinks(entry))
+    fn needs(&self, entry: EntryId) -> &Liveness {
+        &self.needs[entry.index()]
     }
 
     /// The last stage is everything that a routine computes.
     fn overflow(&self, entries: &[EntryId]) -> Option<Overflow> {
-        Overflow::of(self.graph(), self.sinks(*entries.last()?))
+        let last = *entries.last()?;
+        Overflow::of(self.graph(), self.sinks(last), &self.needs(last).fast)
     }
 
     fn routine(&self, entries: &[EntryId], overflow: Option<&Overflow>) -> Routine {
@@ -125,13 +134,14 @@ impl Builder<'_> {
             (_, Some(ArgumentKind::Cosine)) => "formulas_at_".to_string(),
             _ => "formulas_".to_string(),
         };
-        let (graph, searches) = (self.graph(), &self.searches);
+        let (graph, searches, fast) = (self.graph(), &self.searches, &self.needs(last).fast);
+        let (locals, tried) = (&self.locals, self.tried);
         let mut schedule =
-            Schedule::new(graph, &self.locals, Path::Slow, overflow, searches, self.sinks(last));
+            Schedule::new(graph, locals, Path::Slow, overflow, searches, tried, fast);
         let clear = self.clear_in(entries);
         let mut statements: Vec<Vec<Instruction>> = Vec::new();
         for &entry in entries {
-            let mut stage = schedule.stage(&self.needed(entry));
+            let mut stage = schedule.stage(&self.needs(entry).slow);
             if statements.is_empty() && !clear.is_empty() {
                 tell(&schedule, &clear, &mut stage);
             }
@@ -181,13 +191,17 @@ impl Builder<'_> {
 
     /// A routine that returns the sinks in a list.
     fn listing(&self, name: &str, given: &[ArgumentKind], path: Path, sinks: &[Id]) -> Routine {
-        let mut schedule =
-            Schedule::new(self.graph(), &self.locals, path, None, &self.searches, sinks);
-        let needed = match path {
-            Path::Unchecked => sinks.to_vec(),
-            Path::Fast | Path::Slow => self.program.with_closures(sinks),
+        let (graph, locals, searches) = (self.graph(), &self.locals, &self.searches);
+        // A routine without checks asks for no conditions.
+        let (live, fast) = match path {
+            Path::Unchecked => (live(graph, sinks, path), Vec::new()),
+            Path::Fast | Path::Slow => {
+                let Liveness { slow, fast, .. } = Liveness::of(self.program, sinks);
+                (slow, fast)
+            }
         };
-        let statements = schedule.stage(&needed);
+        let mut schedule = Schedule::new(graph, locals, path, None, searches, self.tried, &fast);
+        let statements = schedule.stage(&live);
         let mut locals = locals::with_letters(&self.locals, self.graph(), &statements);
         let reads = reads(&schedule, std::slice::from_ref(&statements), sinks);
         let statements = nest(&schedule, &reads, &mut locals, statements);
@@ -202,14 +216,15 @@ impl Builder<'_> {
     fn asked(&self, entry: EntryId, overflow: Option<&Overflow>) -> FinitenessChecks {
         let (graph, sinks) = (self.graph(), self.sinks(entry));
         let place = |id| sinks.iter().position(|&sink| sink == id);
-        let live = live(graph, &self.needed(entry), Path::Slow);
-        let read = live_nodes(graph, &live).map(|(_, node)| node).filter(|&node| is_leaf(node));
+        let needs = self.needs(entry);
+        let read =
+            live_nodes(graph, &needs.slow).map(|(_, node)| node).filter(|&node| is_leaf(node));
         let mut seen = Set::default();
         let is_known = |id| matches!(graph.node(id), Node::Constant(_) | Node::Mode(_));
         let results = sinks.iter().enumerate();
         let results = results.filter(|&(_, &sink)| !is_known(sink) && seen.insert(sink));
         let witnesses: Vec<usize> = witnesses(graph, sinks).into_iter().filter_map(place).collect();
-        let limits = overflow.map(|overflow| overflow.limits(graph, sinks));
+        let limits = overflow.map(|overflow| overflow.limits(graph, sinks, &needs.fast));
         let takes_cosine = self.interface.entry(entry).takes_cosine();
         FinitenessChecks {
             finite: input_limits::finite(&witnesses, limits, takes_cosine),
@@ -221,7 +236,7 @@ impl Builder<'_> {
     /// Cost of an entry point. One that goes by the angle's cosine and sine makes them first.
     fn cost(&self, entry: EntryId, plan: &Plan, of_nodes: &Costs<'_>) -> Operations {
         let way = |entry: EntryId| plan.strategies[entry.index()];
-        let mut cost = of_nodes.operations(&self.needed(entry));
+        let mut cost = of_nodes.operations(&self.needs(entry).counted);
         let last = match way(entry) {
             Strategy::Delegate { entry, given: ArgumentAdapter::UnitRate } => way(entry),
             other => other,

@@ -67,7 +67,7 @@ pub(super) fn nest(
 mod tests {
     use super::*;
     use crate::ir::graph::{Graph, Node};
-    use crate::ir::liveness::Path;
+    use crate::ir::liveness::{Path, live, tried};
     use crate::lower::schedule::defines;
 
     /// Numbers of the nodes with locals of their own, in a graph over two values, a = 0 and b = 1.
@@ -78,8 +78,9 @@ mod tests {
         let mut locals = Locals::default();
         locals.names.extend(named.iter().map(|&id| (Id(id), "letter_".to_string())));
         let unnamed = Locals::default();
-        let mut schedule = Schedule::new(&graph, &unnamed, Path::Slow, None, &[], &[]);
-        let statements = schedule.stage(&sinks);
+        let (tried, live) = (tried(&graph), live(&graph, &sinks, Path::Slow));
+        let mut schedule = Schedule::new(&graph, &unnamed, Path::Slow, None, &[], &tried, &live);
+        let statements = schedule.stage(&live);
         let before: Vec<Id> = statements.iter().flat_map(defines).collect();
         let reads = reads(&schedule, std::slice::from_ref(&statements), &sinks);
         let statements = nest(&schedule, &reads, &mut locals, statements);

@@ -18,7 +18,7 @@ use crate::function::Function;
 use crate::ir::check::Least;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
-use crate::ir::liveness::{Path, live, live_nodes};
+use crate::ir::liveness::live_nodes;
 
 /// Limits on inputs and divisors that the fast path tests in place of its results.
 pub(super) struct Overflow {
@@ -65,14 +65,14 @@ const fn narrow(input: f64, share: f64) -> Assumed {
 const LARGEST_ASKED: f64 = 1e-3;
 
 impl Overflow {
-    /// Limits that keep every value on the way to the sinks from overflowing; none if there are none, or if
-    /// they take no fewer tests than the results.
-    pub(super) fn of(graph: &Graph, sinks: &[Id]) -> Option<Self> {
-        let asked = asked(graph, sinks).len();
+    /// Limits that keep every value on the way to the sinks from overflowing, given what the fast path
+    /// computes for these; none if there are none, or if they take no fewer tests than the results.
+    pub(super) fn of(graph: &Graph, sinks: &[Id], live: &[bool]) -> Option<Self> {
+        let asked = asked(graph, sinks, live).len();
         if asked > 0 && asked >= witnesses(graph, sinks).len() {
             return None;
         }
-        let values = Values::new(graph, &live(graph, sinks, Path::Fast));
+        let values = Values::new(graph, live);
         let first = |ladder: &[Assumed]| {
             let width = |assumed: &Assumed| {
                 let (thresholds, lengths) = values.thresholds(assumed)?;
@@ -125,7 +125,7 @@ impl Overflow {
     }
 
     /// The limits on the inputs that lead to some of the sinks.
-    pub(super) fn limits(&self, graph: &Graph, sinks: &[Id]) -> InputLimits {
+    pub(super) fn limits(&self, graph: &Graph, sinks: &[Id], live: &[bool]) -> InputLimits {
         let input =
             |width: &Option<WidthLimits>, largest| width.as_ref().map_or(largest, |w| w.input);
         let first = [input(&self.wide, f64::MAX), input(&self.narrow, f64::from(f32::MAX))];
@@ -135,22 +135,21 @@ impl Overflow {
         };
         InputLimits {
             widths: [self.wide.is_some(), self.narrow.is_some()],
-            inputs: asked(graph, sinks).into_iter().map(limit).collect(),
+            inputs: asked(graph, sinks, live).into_iter().map(limit).collect(),
         }
     }
 }
 
 /// The inputs and rates that limits are asked of: those that not only sines and cosines read.
-fn asked(graph: &Graph, sinks: &[Id]) -> Vec<Node> {
-    let live = live(graph, sinks, Path::Fast);
+fn asked(graph: &Graph, sinks: &[Id], live: &[bool]) -> Vec<Node> {
     let mut only_turned = vec![true; graph.len()];
     sinks.iter().for_each(|sink| only_turned[sink.index()] = false);
-    for (_, node) in live_nodes(graph, &live) {
+    for (_, node) in live_nodes(graph, live) {
         if !matches!(node, Node::Apply(Function::Sin | Function::Cos, _)) {
             node.for_operands(&mut |operand| only_turned[operand.index()] = false);
         }
     }
-    live_nodes(graph, &live)
+    live_nodes(graph, live)
         .filter(|&(id, node)| matches!(node, Node::Input { .. }) && !only_turned[id.index()])
         .map(|(_, node)| node)
         .collect()

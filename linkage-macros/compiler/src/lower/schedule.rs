@@ -7,7 +7,7 @@ use super::routine::{Instruction, Locals, Search, StraightAmounts, Threshold, is
 use crate::function::Function;
 use crate::ir::graph::{Check, Graph, GuardId, Id, Node};
 use crate::ir::hash::Map;
-use crate::ir::liveness::{Path, live, live_nodes, tried};
+use crate::ir::liveness::{Path, live_nodes};
 
 /// Nodes scheduled so far, and the values they read from outside.
 #[derive(Clone)]
@@ -19,13 +19,13 @@ pub(super) struct Schedule<'a> {
     pub overflow: Option<&'a Overflow>,
     done: Vec<bool>,
     /// Nodes that the fast path needs for the last sinks.
-    fast: Vec<bool>,
+    fast: &'a [bool],
     /// The inputs and parameters that are read, in the order of the graph.
     pub reads: Vec<Node>,
     /// True if a check has been scheduled.
     pub has_checks: bool,
     /// Nodes that only a search computes.
-    tried: Vec<bool>,
+    tried: &'a [bool],
     /// The searches, by their roots.
     searches: &'a [Search],
 }
@@ -44,10 +44,10 @@ impl<'a> Schedule<'a> {
         path: Path,
         overflow: Option<&'a Overflow>,
         searches: &'a [Search],
-        last: &[Id],
+        tried: &'a [bool],
+        fast: &'a [bool],
     ) -> Self {
-        let (done, reads, tried) = (vec![false; graph.len()], Vec::new(), tried(graph));
-        let fast = live(graph, last, Path::Fast);
+        let (done, reads) = (vec![false; graph.len()], Vec::new());
         Self {
             graph,
             locals,
@@ -62,13 +62,12 @@ impl<'a> Schedule<'a> {
         }
     }
 
-    /// Statements for these sinks, beyond those scheduled before.
-    pub(super) fn stage(&mut self, sinks: &[Id]) -> Vec<Instruction> {
+    /// Statements for the live nodes, beyond those scheduled before.
+    pub(super) fn stage(&mut self, live: &[bool]) -> Vec<Instruction> {
         let graph = self.graph;
-        let live = live(graph, sinks, self.path);
-        let mut pairs = pairs(live_nodes(graph, &live));
+        let mut pairs = pairs(live_nodes(graph, live));
         let mut statements = Vec::new();
-        for (id, node) in live_nodes(graph, &live) {
+        for (id, node) in live_nodes(graph, live) {
             if self.tried[id.index()] || std::mem::replace(&mut self.done[id.index()], true) {
                 continue;
             }
@@ -99,7 +98,7 @@ impl<'a> Schedule<'a> {
                 Node::RootScale(_) => None,
                 Node::Root(_) => Some(self.find(id)),
                 Node::Guard(..) if self.path == Path::Unchecked => None,
-                Node::Guard(value, guard) => Some(self.asked(&live, id, value, guard)),
+                Node::Guard(value, guard) => Some(self.asked(live, id, value, guard)),
                 _ => Some(Instruction::Let(id)),
             };
             statements.extend(statement);
@@ -213,6 +212,7 @@ pub(super) fn take(pairs: &mut Map<Id, SinCosPair>, angle: Id) -> Option<SinCosP
 mod tests {
     use super::*;
     use crate::ir::graph::{Check, Guard};
+    use crate::ir::liveness::{live, tried};
 
     /// The hypotenuses of a stage, and whether they are asked for their squares.
     #[test]
@@ -229,8 +229,9 @@ mod tests {
         let sink = graph.guard(result, Guard { check, group: 0, operands });
         let asked = |path| {
             let locals = Locals::default();
-            let mut schedule = Schedule::new(&graph, &locals, path, None, &[], &[sink]);
-            let statements = schedule.stage(&[sink]);
+            let (tried, fast) = (tried(&graph), live(&graph, &[sink], Path::Fast));
+            let mut schedule = Schedule::new(&graph, &locals, path, None, &[], &tried, &fast);
+            let statements = schedule.stage(&live(&graph, &[sink], path));
             let asked = statements.iter().filter_map(|statement| match statement {
                 Instruction::Length { id, least_square } => Some((*id, *least_square)),
                 _ => None,

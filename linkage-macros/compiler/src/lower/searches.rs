@@ -2,19 +2,24 @@
 //! share. It is given what no trial changes, so that a trial computes nothing else.
 
 use super::routine::{Instruction, Locals, Routine, Search, Stage};
-use super::schedule::{pairs, take};
+use super::schedule::{SinCosPair, pairs, take};
 use super::{apart, locals, unique_root};
 use crate::function::Function;
 use crate::interface::records::Shape;
-use crate::ir::cost::Costs;
+use crate::ir::cost::{Costs, Operations};
 use crate::ir::graph::{Graph, Id, Node, RootSearch, Target};
 use crate::ir::hash::Map;
-use crate::ir::liveness::{Path, live, trial_nodes, tried};
+use crate::ir::liveness::{Path, live, trial_nodes};
 use crate::ir::program::{Clearance, Program};
 use crate::model::mechanism::Mechanism;
 
 /// The searches of all roots, by functions whose names begin like this.
-pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -> Vec<Search> {
+pub(super) fn searches(
+    mechanism: &Mechanism,
+    program: &Program,
+    prefix: &str,
+    (tried, costs): (&[bool], &Costs<'_>),
+) -> Vec<Search> {
     let roots = program.closures.iter().map(|closure| closure.root);
     let mut searches: Vec<Search> = Vec::new();
     for root in roots.chain(ends(program)) {
@@ -31,10 +36,11 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
             Target::End(_) => "upper",
         };
         let name = locals::single_underscores(&format!("{begin}_{name}{suffix}").to_lowercase());
-        let of_unknown = search(&program.graph, root, sought, name);
+        let of_unknown = search(&program.graph, root, sought, name, tried);
         let are_known = unknown.between.iter().all(|end| end.constant().is_some());
         let asks_for_a_turn = unknown.dimension.angle && !are_known;
-        searches.push(Search { asks_for_a_turn, ..of_unknown });
+        let cost = costs.of_trial(&sought.sides);
+        searches.push(Search { asks_for_a_turn, cost, ..of_unknown });
     }
     let ends: Vec<RootSearch> = searches.iter().map(|search| search.sought).collect();
     for search in &mut searches {
@@ -43,7 +49,7 @@ pub(super) fn searches(mechanism: &Mechanism, program: &Program, prefix: &str) -
         };
         let end = ends.iter().find(of_it);
         search.has_one_root = end.and_then(|end| has_one_root(&program.graph, end));
-        search.apart = apart::apart(&program.graph, search);
+        search.apart = apart::apart(&program.graph, tried, search);
     }
     searches
 }
@@ -65,8 +71,8 @@ fn ends(program: &Program) -> impl Iterator<Item = Id> + '_ {
     })
 }
 
-fn search(graph: &Graph, root: Id, sought: RootSearch, name: String) -> Search {
-    let (tried, nodes) = (tried(graph), trial_nodes(graph, &sought.sides));
+fn search(graph: &Graph, root: Id, sought: RootSearch, name: String, tried: &[bool]) -> Search {
+    let nodes = trial_nodes(graph, tried, &sought.sides);
     let of_trial = || nodes.iter().copied();
     let is_constant = |id: Id| matches!(graph.node(id), Node::Constant(_) | Node::Low(_));
     let mut given: Vec<Id> = Vec::new();
@@ -77,22 +83,7 @@ fn search(graph: &Graph, root: Id, sought: RootSearch, name: String) -> Search {
     };
     sought.between.into_iter().chain(sought.near).chain(sought.sides).for_each(&mut give);
     of_trial().for_each(|(_, node)| node.for_operands(&mut give));
-    let mut pairs = pairs(of_trial());
-    let mut statements = Vec::new();
-    for (id, node) in of_trial() {
-        statements.extend(match node {
-            Node::Trial(_) | Node::Neg(_) => None,
-            Node::Apply(Function::Sin | Function::Cos, angle) => {
-                take(&mut pairs, angle).map(|pair| Instruction::SinCos {
-                    angle,
-                    sin: pair.sin,
-                    cos: pair.cos,
-                    is_checked: false,
-                })
-            }
-            _ => Some(Instruction::Let(id)),
-        });
-    }
+    let statements = trial_statements(&nodes);
     let locals = Locals { given: given.iter().copied().collect(), ..Locals::default() };
     let mut locals = locals::with_letters(&locals, graph, &statements);
     let trial = of_trial().find(|(_, node)| matches!(node, Node::Trial(_)));
@@ -116,9 +107,23 @@ fn search(graph: &Graph, root: Id, sought: RootSearch, name: String) -> Search {
         locals,
         constants: Map::default(),
     };
-    let cost = Costs::of(graph).of_trial(&sought.sides);
-    let (has_one_root, apart, asks_for_a_turn) = (None, None, false);
+    let (cost, has_one_root) = (Operations::default(), None);
+    let (apart, asks_for_a_turn) = (None, false);
     Search { routine, root, sought, given, cost, has_one_root, apart, asks_for_a_turn }
+}
+
+/// The statements of a trial, given the nodes that it computes.
+fn trial_statements(nodes: &[(Id, Node)]) -> Vec<Instruction> {
+    let mut pairs = pairs(nodes.iter().copied());
+    let statement = |&(id, node): &(Id, Node)| match node {
+        Node::Trial(_) | Node::Neg(_) => None,
+        Node::Apply(Function::Sin | Function::Cos, angle) => {
+            let SinCosPair { sin, cos } = take(&mut pairs, angle)?;
+            Some(Instruction::SinCos { angle, sin, cos, is_checked: false })
+        }
+        _ => Some(Instruction::Let(id)),
+    };
+    nodes.iter().filter_map(statement).collect()
 }
 
 /// Name of a trial.

@@ -12,7 +12,7 @@
 //! are.
 
 use crate::interface::entries::EntryPoint;
-use crate::ir::cost::{Costs, Operations};
+use crate::ir::cost::{Operations, operations};
 use crate::oracle::mechanism;
 use crate::{equations, lower, passes};
 
@@ -96,7 +96,7 @@ fn written(source: &str, entry: &str) -> u32 {
     let program = equations::derive(&mechanism(source), passes::RULES);
     let entry = program.answer(entry).expect("the entry exists");
     let Operations { additions, multiplications, divisions, roots, sines } =
-        Costs::of(&program.graph).operations(&entry.sinks);
+        operations(&program.graph, &entry.sinks);
     additions + multiplications + divisions + roots + sines
 }
 

@@ -1,6 +1,6 @@
 //! Cost of the equations of motion: operations before products are contracted into sums.
 
-use crate::ir::cost::{Costs, Operations};
+use crate::ir::cost::{Operations, operations};
 use crate::ir::graph::{Check, Node};
 use crate::ir::liveness::{Path, live, live_nodes};
 use crate::oracle::mechanism;
@@ -10,7 +10,7 @@ use crate::{equations, passes};
 fn written(source: &str, entry: &str) -> Operations {
     let program = shortened(&equations::derive(&mechanism(source), RULES));
     let entry = program.answer(entry).expect("the entry exists");
-    Costs::of(&program.graph).operations(&entry.sinks)
+    operations(&program.graph, &entry.sinks)
 }
 
 fn total(of: Operations) -> u32 {
@@ -76,7 +76,7 @@ fn parallelograms_are_seen_to_be_one_pendulum() {
     // q'' = (τ − 34.335 cos q)/3
     let program = passes::optimise(&equations::derive(&mechanism(PARALLELOGRAMS), RULES));
     let forward = program.answer("forward_dynamics").expect("the entry exists");
-    let of = Costs::of(&program.graph).operations(&forward.sinks);
+    let of = operations(&program.graph, &forward.sinks);
     let expected =
         Operations { additions: 1, multiplications: 1, divisions: 1, roots: 0, sines: 1 };
     assert_eq!(of, expected);
