@@ -16,6 +16,7 @@ mod guards;
 mod rubbing_page;
 mod run_time;
 mod several_inputs;
+mod shared_constants;
 #[path = "../../../../../tests/skipped.rs"]
 mod skipped;
 mod spans;
