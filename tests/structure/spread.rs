@@ -238,7 +238,7 @@ struct Kind {
     facts: &'static [Fact],
 }
 
-const KINDS: [Kind; 5] = [
+const KINDS: [Kind; 6] = [
     Kind {
         name: "groups",
         aim: 5,
@@ -324,6 +324,11 @@ const KINDS: [Kind; 5] = [
             fact(3, &[Text("moving"), Name("Moving")]),
             fact(2, &[Text("closed"), Name("Closed")]),
         ],
+    },
+    Kind {
+        name: "solved at run time",
+        aim: 5,
+        facts: &[fact(5, &[Name("Amounts")]), fact(3, &[Name("RootSearch")])],
     },
 ];
 

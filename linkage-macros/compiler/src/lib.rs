@@ -24,7 +24,7 @@
 //! | `chain` | a machine as it is drawn, cut into drivers and groups by counting freedoms | know a name, write a message |
 //! | `model` | names into ids, dimensions, one function a rule | know how a mechanism is solved |
 //! | `interface` | what is offered: entry points, records, units, labels | compute or print |
-//! | `ir` | the expression graph, its cost, its text, its interpreter | know a mechanism |
+//! | `ir` | the expression graph, what is solved at run time, costs, text, an interpreter | know a mechanism |
 //! | `equations` | the formulas of every driver and group, once | know how code is written |
 //! | `passes` | make the graph smaller without changing what it means | know a mechanism |
 //! | `lower` | which routine computes what, in which order, and what it asks | print |

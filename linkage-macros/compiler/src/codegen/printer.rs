@@ -7,7 +7,7 @@ use super::text::Text;
 use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::lower::routine::{
-    Amounts, Condition, Instruction, Lowered, Reading, Routine, Sum, Threshold,
+    Condition, Instruction, Lowered, Reading, Routine, Solving, Sum, Threshold,
 };
 
 /// A language that routines are printed in. Infix operators and their precedence are those that
@@ -52,11 +52,8 @@ pub(super) trait Dialect: Sized {
     /// Asks a condition, and binds what goes on in its value's place.
     fn condition(printer: &Printer<'_, Self>, condition: &Condition, to: &mut Text);
 
-    /// Asks whether amounts of friction solve their equations, and binds those that go on.
-    fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text);
-
-    /// Binds the root of an equation, and the size that its rounding is measured by.
-    fn find(printer: &Printer<'_, Self>, search: usize, root: Id, size: Option<Id>, to: &mut Text);
+    /// Solves equations, and binds what comes out and goes on.
+    fn solve(printer: &Printer<'_, Self>, solving: &Solving, to: &mut Text);
 
     /// Ends the routine where clearances are asked for, values and scales in turn.
     fn tell(
@@ -130,15 +127,14 @@ impl<'a, D: Dialect> Printer<'a, D> {
                 D::length(self, *id, [x, y], *least_square, to);
             }
             Instruction::Check(condition) => D::condition(self, condition, to),
-            Instruction::Amounts(amounts) => D::amounts(self, amounts, to),
-            Instruction::Find { search, root, size } => D::find(self, *search, *root, *size, to),
+            Instruction::Solve(solving) => D::solve(self, solving, to),
             Instruction::ReportClearances { statements, clearances } => {
                 D::tell(self, statements, clearances, to);
             }
         }
     }
 
-    fn graph(&self) -> &'a Graph {
+    pub(super) fn graph(&self) -> &'a Graph {
         &self.lowered.program.graph
     }
 
@@ -159,6 +155,21 @@ impl<'a, D: Dialect> Printer<'a, D> {
     /// Writes the same for several nodes, with commas between.
     pub(super) fn values(&self, ids: &[Id], to: &mut Text) {
         to.list(ids, |to, &id| self.value(id, to));
+    }
+
+    /// Writes several of these, each in brackets.
+    pub(super) fn lists<'i>(&self, lists: impl IntoIterator<Item = &'i [Id]>, to: &mut Text) {
+        to.list(lists, |to, list| {
+            self.values(list, to.put("["));
+            to.put("]");
+        });
+    }
+
+    /// Writes the names of what is bound at once, another one in the place of what is not.
+    pub(super) fn names(&self, ids: &[Option<Id>], other: &str, to: &mut Text) {
+        to.list(ids, |to, id| {
+            to.put(&id.map_or(other.to_string(), |id| self.local(id)));
+        });
     }
 
     /// The expression alone.
@@ -229,8 +240,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
             | Node::Load(_)
             | Node::Drive(_)
             | Node::Trial(_)
-            | Node::Root(_)
-            | Node::RootScale(_)
+            | Node::Solved(..)
             | Node::Guard(..) => unreachable!("read in place, or a statement of its own kind"),
         }
     }

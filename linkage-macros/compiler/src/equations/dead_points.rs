@@ -18,6 +18,7 @@ use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::Sym;
 use crate::equations::unknown::{Sides, sides, trend};
 use crate::ir::graph::{Node, RootSearch, Target};
+use crate::ir::implicit::Implicit;
 use crate::ir::program::Clearance;
 use crate::model::mechanism::{Mode, UnknownId};
 
@@ -75,7 +76,7 @@ fn end<'s>(known: &Kinematics<'s>, id: UnknownId, at: u8) -> End<'s> {
     let of_trial = |trial, inputs| sides(known, trial, inputs, true);
     let tried = difference(of_trial(jet(builder.node(Node::Trial(id.0)), one), at_rest()));
     let between = unknown.between.each_ref().map(|end| known.jet(end).value);
-    let place = builder.node(Node::Root(RootSearch {
+    let search = builder.implicit(Implicit::Root(RootSearch {
         unknown: id.0,
         wanted: Target::End(at),
         trend: trend(unknown),
@@ -83,7 +84,8 @@ fn end<'s>(known: &Kinematics<'s>, id: UnknownId, at: u8) -> End<'s> {
         near: None,
         sides: [tried.value.id, tried.rate.id, tried.accel.id],
     }));
-    let is_dead_point = builder.node(Node::RootScale(place.id));
+    let place = builder.node(Node::Solved(search, 0, None));
+    let is_dead_point = builder.node(Node::Solved(search, 1, Some(place.id)));
     let standing = of_trial(jet(place, zero), known.inputs.clone());
     let turning = difference(of_trial(jet(place, one), at_rest()));
     let moving = difference(of_trial(jet(place, one), known.inputs.clone()));

@@ -10,7 +10,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::construct::{Maker, Rule, remade};
-use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, Node};
+use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, ImplicitId, Node};
+use crate::ir::implicit::Implicit;
 use crate::ir::liveness::{Path, live, live_nodes};
 
 /// The graph that symbols are made in.
@@ -73,6 +74,11 @@ impl<'s> GraphBuilder<'s> {
             }
             Some(new)
         })
+    }
+
+    /// The equations that numbers are solved by.
+    pub(crate) fn implicit(&self, implicit: Implicit) -> ImplicitId {
+        self.graph.borrow_mut().intern_implicit(implicit)
     }
 
     pub(crate) fn constant(&'s self, value: Exact) -> Sym<'s> {
@@ -226,8 +232,7 @@ impl<'s> Sym<'s> {
             Node::Add(a, b) => Some([term(a), term(b)]),
             Node::Sub(a, b) => Some([term(a), -term(b)]),
             Node::Neg(a) => term(a).terms().map(|terms| terms.map(Neg::neg)),
-            Node::Guard(a, _) => term(a).terms(),
-            _ => None,
+            _ => self.beneath()?.terms(),
         }
     }
 
@@ -240,11 +245,17 @@ impl<'s> Sym<'s> {
             | Node::Input { order: 0, .. }
             | Node::Param(_)
             | Node::Trial(_)
-            | Node::Root(_) => true,
-            Node::Neg(a) | Node::Guard(a, _) => is_given(a),
+            | Node::Solved(_, 0, None) => true,
+            Node::Neg(a) => is_given(a),
             Node::Add(a, b) | Node::Sub(a, b) => is_given(a) && is_given(b),
-            _ => false,
+            _ => self.beneath().is_some_and(Self::is_sum_of_given),
         }
+    }
+
+    /// The value that this stands on, under a condition.
+    fn beneath(self) -> Option<Self> {
+        let beneath = self.builder.graph.borrow().beneath(self.id);
+        beneath.map(|id| Self { builder: self.builder, id })
     }
 
     /// The value, provided that the check holds for the group.

@@ -1,6 +1,6 @@
 //! The unknown that an equation fixes: f(θ, q) = left − right = 0.
 //!
-//! The root is searched ([`Node::Root`]); its rates follow from the equation, which holds at all
+//! The root is searched ([`Implicit::Root`]); its rates follow from the equation, which holds at all
 //! times. With ḟ(θ̇) = f_θ θ̇ + ḟ(0) and f̈(θ̇, θ̈) = f_θ θ̈ + f̈(θ̇, 0),
 //!
 //! - f_θ = ḟ at θ̇ = 1 while the inputs stand still,
@@ -26,6 +26,7 @@ use crate::function::Function;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Check, Node, RootSearch, Target, Trend};
+use crate::ir::implicit::Implicit;
 use crate::ir::program::Closure;
 use crate::model::mechanism::{Equation, Mechanism, Mode, Sign, Unknown, UnknownId};
 
@@ -121,7 +122,7 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> Root<'s> {
     let trial = builder.node(Node::Trial(id.0));
     let tried = sides(known, jet(trial, one, zero), at_rest(), true);
     let between = unknown.between.each_ref().map(|end| known.jet(end).value);
-    let root = builder.node(Node::Root(RootSearch {
+    let search = builder.implicit(Implicit::Root(RootSearch {
         unknown: id.0,
         wanted: Target::Root,
         trend: trend(unknown),
@@ -129,8 +130,9 @@ fn solve<'s>(known: &Kinematics<'s>, id: UnknownId) -> Root<'s> {
         near: unknown.near.as_ref().map(|near| known.jet(near).value.id),
         sides: [tried[0].value.id, tried[1].value.id, slope(tried).id],
     }));
+    let root = builder.node(Node::Solved(search, 0, None));
     builder.name(root, unknown.name.to_string());
-    let size = builder.node(Node::RootScale(root.id));
+    let size = builder.node(Node::Solved(search, 1, Some(root.id)));
     builder.name(size, format!("{} size", unknown.name));
 
     let turned = sides(known, jet(root, one, zero), at_rest(), false);

@@ -37,43 +37,9 @@ pub(crate) enum Check {
     /// A squared length below the smallest of full precision is refused, as `Singular` where it is the
     /// square of zero.
     Square,
-    /// An amount of friction among those that depend on each other. The value is the amount that straight-line
-    /// code has found, and both paths ask for proofs; or it is where steps to it begin, and both paths put
-    /// the solution in its place. Operands: the row of each amount, as the run-time crate lays it out, then
-    /// where steps to each begin, then the proofs.
-    Amount(Contacts),
     /// `Square` of d with the first four operands of `ReachCircles`: out of reach where these circles do
     /// not meet.
     SquareOfCentres,
-}
-
-/// The contacts whose amounts of friction depend on each other, and the one that is meant.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Contacts {
-    pub at: usize,
-    /// The joints, as errors name them, and whether each is a guide.
-    pub joints: Vec<(String, bool)>,
-    pub proofs: Proofs,
-}
-
-/// Counts of the numbers that show amounts of friction solved; none where steps are made at run time.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(crate) struct Proofs {
-    /// Numbers above zero.
-    pub positive: usize,
-    /// Pairs: the first is less than the rounding of the second.
-    pub small: usize,
-}
-
-impl Proofs {
-    /// The operands that they are.
-    pub(crate) fn of<T>(self, operands: &[T]) -> &[T] {
-        &operands[operands.len() - self.positive - 2 * self.small..]
-    }
-
-    pub(crate) fn are_none(self) -> bool {
-        self == Self::default()
-    }
 }
 
 /// The comparison of a value with a threshold.
@@ -141,8 +107,6 @@ impl Check {
             Self::Closed(_) => row("Closed", None, true, |_| false),
             Self::Moving => row("Moving", above_rounding, true, is_positive),
             Self::Square => row("Square", full_square, false, is_square),
-            // The slow path searches where straight-line steps have not ended.
-            Self::Amount(_) => row("Amounts", None, true, |_| false),
             Self::SquareOfCentres => row("SquareOfCentres", full_square, true, is_square),
         }
     }

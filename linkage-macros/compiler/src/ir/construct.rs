@@ -39,13 +39,19 @@ impl Maker<'_> {
     /// A node of this graph on the operands that stand for its own; itself where all stand for themselves.
     pub(crate) fn remake(&mut self, id: Id, node: Node, to: &dyn Fn(Id) -> Id) -> Id {
         let mut is_touched = false;
-        self.graph.for_operands_of(node, &mut |operand| is_touched |= to(operand) != operand);
+        let touches = &mut |operand| is_touched |= to(operand) != operand;
+        self.graph.for_operands(node, Path::Slow, touches);
         match node {
             // An unknown is searched once for all answers.
-            _ if !is_touched || matches!(node, Node::Root(_)) => id,
+            _ if !is_touched || self.graph.search(id).is_some() => id,
             Node::Guard(value, guard) => {
                 let guard = self.graph.condition(guard).on(&to);
                 self.make_guarded(to(value), guard)
+            }
+            Node::Solved(solve, output, on) => {
+                let solve = self.graph.implicit(solve).on(&to);
+                let solve = self.graph.intern_implicit(solve);
+                self.make(Node::Solved(solve, output, on.map(to)))
             }
             other => self.make(other.map_operands(&mut |operand| to(operand))),
         }
@@ -137,6 +143,10 @@ fn move_node(old: &Graph, maker: &mut Maker<'_>, node: Node, moved: &Moved) -> N
         Node::Guard(value, guard) => {
             let guard = old.condition(guard).on(&|id| moved.of(id));
             Node::Guard(moved.of(value), maker.graph.intern_guard(guard))
+        }
+        Node::Solved(solve, output, on) => {
+            let solve = old.implicit(solve).on(&|id| moved.of(id));
+            Node::Solved(maker.graph.intern_implicit(solve), output, on.map(|on| moved.of(on)))
         }
         other => other.map_operands(&mut |id| moved.of(id)),
     }

@@ -3,36 +3,13 @@
 //! Signs, comparisons and constants are free. What `linkage-core` computes by several operations
 //! counts as those of a target with a fused multiply-add.
 
-use std::ops::AddAssign;
-
 use crate::function::Function;
-use crate::ir::graph::{Check, Contacts, Graph, Id, Node};
+use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 #[cfg(test)]
 use crate::ir::liveness::{Path, live, tried};
 use crate::ir::liveness::{trial_nodes, unguarded};
-
-/// Counts of floating-point operations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Operations {
-    /// Additions and subtractions.
-    pub additions: u32,
-    pub multiplications: u32,
-    pub divisions: u32,
-    pub roots: u32,
-    /// Sine and cosine pairs, and other transcendental functions.
-    pub sines: u32,
-}
-
-impl AddAssign for Operations {
-    fn add_assign(&mut self, other: Self) {
-        self.additions += other.additions;
-        self.multiplications += other.multiplications;
-        self.divisions += other.divisions;
-        self.roots += other.roots;
-        self.sines += other.sines;
-    }
-}
+pub(crate) use crate::ir::operations::Operations;
 
 /// Costs of a graph's nodes: found once, and added up for many sinks.
 pub(crate) struct Costs<'g> {
@@ -69,20 +46,6 @@ impl<'g> Costs<'g> {
                 let by = *multiplied.or_insert(factors(graph, a, b), id);
                 Cost::Shared { by, is_sine: false, adds: matches!(node, Node::Fused(..)) }
             }
-            Node::Guard(_, guard)
-                if let Check::Amount(contacts) = &graph.condition(guard).check =>
-            {
-                // All are solved with the first.
-                match contacts.at {
-                    0 if contacts.proofs.are_none() => Cost::Alone(of_amounts(contacts)),
-                    // The comparison with rounding takes its last places.
-                    0 => Cost::Alone(Operations {
-                        multiplications: contacts.proofs.small as u32,
-                        ..Operations::default()
-                    }),
-                    _ => Cost::Nothing,
-                }
-            }
             // The comparison with what is not known before run time takes its last places.
             Node::Guard(..) => match graph.spread(node) {
                 Some(spread) if graph.as_constant(spread).is_none() => {
@@ -90,7 +53,7 @@ impl<'g> Costs<'g> {
                 }
                 _ => Cost::Nothing,
             },
-            _ => match of(node) {
+            node => match of(graph, node) {
                 operations if operations == Operations::default() => Cost::Nothing,
                 operations => Cost::Alone(operations),
             },
@@ -134,27 +97,6 @@ pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
     Costs::of(graph, &tried(graph)).operations(&live(graph, sinks, Path::Fast))
 }
 
-/// The operations that solve the equations of amounts of friction: four steps of Newton's method, and what
-/// asks whether three were enough.
-fn of_amounts(Contacts { joints, .. }: &Contacts) -> Operations {
-    let mut total = Operations::default();
-    let mut fused = |count: usize| {
-        total.additions += count as u32;
-        total.multiplications += count as u32;
-    };
-    let count = joints.len();
-    let pins = joints.iter().filter(|(_, is_guide)| !is_guide).count();
-    let below = count * (count - 1) / 2;
-    let elimination = (0..count).map(|k| (count - k - 1).pow(2)).sum::<usize>();
-    // Reactions, slopes, I − Φ′ and Φ − x; the elimination, and both sides of it.
-    fused(4 * count * (2 * count + 2 * count + 1) + 4 * (elimination + 2 * below));
-    // The bounds of all pairs, their elimination, the reactions and sizes once more.
-    fused(2 * pins * (count + 2) + elimination + count * (2 * count + count + 1));
-    total.divisions = (4 * (pins + below + count) + below) as u32;
-    total.roots = (4 * pins + pins * (count + 2)) as u32;
-    total
-}
-
 /// Factors of a product, regardless of signs, guards and order.
 fn factors(graph: &Graph, a: Id, b: Id) -> [Id; 2] {
     let mut factors = [a, b].map(|factor| {
@@ -170,9 +112,10 @@ fn factors(graph: &Graph, a: Id, b: Id) -> [Id; 2] {
 
 /// The operations of one node on its own: two sines and cosines may be one call, and two products
 /// one multiplication.
-fn of(node: Node) -> Operations {
+fn of(graph: &Graph, node: Node) -> Operations {
     let none = Operations::default();
     match node {
+        Node::Solved(solve, output, _) => graph.implicit(solve).cost(output),
         Node::Constant(_)
         | Node::Input { .. }
         | Node::InputCos(_)
@@ -185,9 +128,7 @@ fn of(node: Node) -> Operations {
         | Node::Neg(_)
         | Node::Guard(..)
         | Node::Apply(Function::Sin | Function::Cos, _)
-        | Node::Trial(_)
-        | Node::Root(_)
-        | Node::RootScale(_) => none,
+        | Node::Trial(_) => none,
         // A comparison costs what a difference does.
         Node::Add(..) | Node::Sub(..) | Node::Select(_) => Operations { additions: 1, ..none },
         Node::Mul(..) => Operations { multiplications: 1, ..none },

@@ -23,18 +23,22 @@
 //! path reads the operands of the condition, which are nodes as well. Code that refuses nothing looks
 //! through conditions (`liveness::Path`).
 //!
-//! # Roots
-//! A number that an equation fixes is a node like any other ([`Node::Root`]); its operands are the
-//! sides of the equation at a trial. What depends on a trial means nothing outside its search.
+//! # Numbers that are solved
+//! A number that equations fix is a node like any other ([`Node::Solved`]). The row of the equations
+//! ([`Implicit`]) says what it is made from; of a root that is, among others, the sides of its equation at a
+//! trial. What depends on a trial means nothing outside its search.
 //!
 //! # Names
 //! A value that the derivation of its formula has a letter for keeps it (`Graph::name`), through
 //! every rewrite, for whoever reads the generated code. Names mean nothing to the compiler.
 
 use crate::exact::Exact;
-pub(crate) use crate::ir::check::{Check, Contacts, Proofs};
-use crate::ir::hash::Map;
-pub(crate) use crate::ir::node::{ConstantId, GuardId, Id, Node, RootSearch, Target, Trend};
+pub(crate) use crate::ir::check::Check;
+use crate::ir::hash::{Map, Set};
+use crate::ir::implicit::Implicit;
+pub(crate) use crate::ir::node::{
+    ConstantId, GuardId, Id, ImplicitId, Node, Path, RootSearch, Target, Trend,
+};
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
 /// fails, the slow path looks at the operands and decides.
@@ -87,10 +91,10 @@ impl OperandForm {
 pub(crate) struct Graph {
     nodes: Vec<Node>,
     constants: Vec<Constant>,
-    guards: Vec<Guard>,
+    guards: Set<Guard>,
+    implicits: Set<Implicit>,
     node_ids: Map<Node, Id>,
     constant_ids: Map<Exact, ConstantId>,
-    guard_ids: Map<Guard, GuardId>,
     /// Names of values in formulas; most values have none.
     names: Map<Id, String>,
     has_trials: bool,
@@ -114,7 +118,7 @@ impl Graph {
         if id == next {
             if cfg!(test) {
                 let is_earlier = |operand| assert!(operand < id, "operands come first");
-                self.for_operands_of(node, &mut { is_earlier });
+                self.for_operands(node, Path::Slow, &mut { is_earlier });
             }
             self.has_trials |= matches!(node, Node::Trial(_));
             self.nodes.push(node);
@@ -150,13 +154,26 @@ impl Graph {
     }
 
     pub(crate) fn intern_guard(&mut self, guard: Guard) -> GuardId {
-        if let Some(&id) = self.guard_ids.get(&guard) {
-            return id;
-        }
-        let id = GuardId(self.guards.len() as u32);
-        self.guards.push(guard.clone());
-        self.guard_ids.insert(guard, id);
-        id
+        GuardId(self.guards.number(guard))
+    }
+
+    pub(crate) fn condition(&self, guard: GuardId) -> &Guard {
+        self.guards.by_number(guard.0)
+    }
+
+    pub(crate) fn intern_implicit(&mut self, implicit: Implicit) -> ImplicitId {
+        ImplicitId(self.implicits.number(implicit))
+    }
+
+    pub(crate) fn implicit(&self, id: ImplicitId) -> &Implicit {
+        self.implicits.by_number(id.0)
+    }
+
+    /// The search that the node is the root or the end of.
+    pub(crate) fn search(&self, id: Id) -> Option<(ImplicitId, RootSearch)> {
+        let Node::Solved(solve, 0, _) = self.node(id) else { return None };
+        let Implicit::Root(sought) = self.implicit(solve) else { return None };
+        Some((solve, *sought))
     }
 
     /// Gives the value a name, for whoever reads the generated code; the first one stays.
@@ -232,10 +249,6 @@ impl Graph {
         }
     }
 
-    pub(crate) fn condition(&self, guard: GuardId) -> &Guard {
-        &self.guards[guard.0 as usize]
-    }
-
     /// The exact constant that the node is, if it is one.
     pub(crate) fn as_constant(&self, id: Id) -> Option<&Exact> {
         match self.node(id) {
@@ -244,21 +257,12 @@ impl Graph {
         }
     }
 
-    /// Calls `f` with every operand that the fast path computes or compares with.
-    pub(crate) fn for_fast_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
-        node.for_operands(f);
-        self.compared(node).iter().for_each(|&operand| f(operand));
-    }
-
-    /// Operands of a guard that the fast path reads: a spread, or what shows amounts of friction solved.
-    fn compared(&self, node: Node) -> &[Id] {
-        let Node::Guard(_, guard) = node else { return &[] };
-        let Guard { check, operands, .. } = self.condition(guard);
-        match check {
-            Check::Amount(contacts) if contacts.proofs.are_none() => operands,
-            Check::Amount(contacts) => contacts.proofs.of(operands),
-            _ if check.has_spread() => &operands[operands.len() - 1..],
-            _ => &[],
+    /// The value that the node stands on: under a guard, or an amount that straight-line code has found.
+    pub(crate) fn beneath(&self, id: Id) -> Option<Id> {
+        match self.node(id) {
+            Node::Guard(value, _) => Some(value),
+            Node::Solved(solve, _, on) => on.filter(|_| !self.implicit(solve).is_search()),
+            _ => None,
         }
     }
 
@@ -269,10 +273,16 @@ impl Graph {
         guard.operands.last().copied().filter(|_| guard.check.has_spread())
     }
 
-    /// Calls `f` with every operand, what only the slow path looks at included.
-    pub(crate) fn for_operands_of(&self, node: Node, f: &mut impl FnMut(Id)) {
-        if let Node::Guard(_, guard) = node {
-            self.condition(guard).operands.iter().for_each(|&operand| f(operand));
+    /// Calls `f` with every operand that is followed on a path.
+    pub(crate) fn for_operands(&self, node: Node, path: Path, f: &mut impl FnMut(Id)) {
+        match node {
+            Node::Guard(_, guard) => match path {
+                Path::Unchecked => {}
+                Path::Fast => self.spread(node).into_iter().for_each(&mut *f),
+                Path::Slow => self.condition(guard).operands.iter().for_each(|&id| f(id)),
+            },
+            Node::Solved(solve, output, _) => self.implicit(solve).for_operands(output, path, f),
+            _ => {}
         }
         node.for_operands(f);
     }

@@ -180,6 +180,21 @@ impl<K: Hash + Eq> Set<K> {
         self.0.contains(key)
     }
 
+    /// The number of the key in the order of insertion; inserts it if it is new.
+    pub(crate) fn number(&mut self, key: K) -> u32 {
+        let hash = hash(&key);
+        let entry = match self.0.find(&key, hash) {
+            Bucket::Taken(entry) => entry,
+            Bucket::Free(slot) => self.0.add(key, (), hash, slot),
+        };
+        entry as u32
+    }
+
+    /// The key of this number.
+    pub(crate) fn by_number(&self, number: u32) -> &K {
+        &self.0.entries[number as usize].0
+    }
+
     /// Inserts the key; true if it is new.
     pub(crate) fn insert(&mut self, key: K) -> bool {
         self.0.insert(key, ())

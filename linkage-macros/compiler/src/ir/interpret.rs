@@ -5,9 +5,12 @@ mod amounts;
 
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::graph::{Check, GuardId, Id, Node, RootSearch, Target};
 #[cfg(test)]
-use crate::ir::graph::{Contacts, Graph};
+use crate::ir::graph::Graph;
+use crate::ir::graph::{Id, Node, RootSearch, Target};
+#[cfg(test)]
+use crate::ir::implicit::Contacts;
+use crate::ir::implicit::Implicit;
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
@@ -74,11 +77,22 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &ProgramValues<N>) 
         let value = match node {
             // Nodes that depend on a trial are computed inside the search.
             _ if tried[id.index()] => N::exact(&Exact::integer(0)),
-            Node::Root(sought) => root(program, given, &tried, &mut values, &sought),
-            Node::Guard(found, guard) => {
-                let amount = amount_beside(graph, guard, &values, &mut last);
-                amount.unwrap_or_else(|| values[found.index()].clone())
-            }
+            Node::Solved(solve, output, on) => match graph.implicit(solve) {
+                Implicit::Root(_) if output > 0 => N::exact(&Exact::integer(1)),
+                Implicit::Root(sought) => root(program, given, &tried, &mut values, sought),
+                Implicit::Amounts(contacts) => {
+                    // The numbers of one system follow each other, and are solved once.
+                    if last.as_ref().is_none_or(|(known, _)| *known != solve) {
+                        let operands = contacts.equations.iter().map(|id| &values[id.index()]);
+                        let operands: Vec<_> = operands.collect();
+                        last = Some((solve, amounts::all(contacts, &operands).ok()));
+                    }
+                    let all = last.as_ref().and_then(|(_, all)| all.as_ref());
+                    let found = all.map(|all| &all[output as usize]);
+                    let on = on.map(|on| &values[on.index()]);
+                    found.or(on).expect("an amount stands on a value").clone()
+                }
+            },
             _ => value(program, given, &values, node, None),
         };
         values.push(value);
@@ -86,44 +100,21 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &ProgramValues<N>) 
     values
 }
 
-/// Equations of amounts, and their solution if there is one.
-type Solved<N> = (Vec<Id>, Option<Vec<N>>);
-
-/// The amount that a guard gives, if it has a solution. Those of one group follow each other, and their equations are
-/// solved once.
-fn amount_beside<N: Number>(
-    graph: &Graph,
-    guard: GuardId,
-    values: &[N],
-    last: &mut Option<Solved<N>>,
-) -> Option<N> {
-    let guard = graph.condition(guard);
-    let Check::Amount(contacts) = &guard.check else { return None };
-    let equations = amounts::of_equations(contacts, &guard.operands);
-    if last.as_ref().is_none_or(|(known, _)| known != equations) {
-        let operands: Vec<_> = equations.iter().map(|id| &values[id.index()]).collect();
-        *last = Some((equations.to_vec(), amounts::all(contacts, &operands).ok()));
-    }
-    let (_, solution) = last.as_ref()?;
-    solution.as_ref().map(|all| all[contacts.at].clone())
-}
-
 /// The joint at which friction may hold itself in a pose, if there is one.
 #[cfg(test)]
 pub(crate) fn jams<N: Number>(graph: &Graph, values: &[N]) -> Option<String> {
     graph.iter().find_map(|(_, node)| {
-        let Node::Guard(_, guard) = node else { return None };
-        let guard = graph.condition(guard);
-        let Check::Amount(contacts) = &guard.check else { return None };
-        let operands: Vec<_> = guard.operands.iter().map(|&id| &values[id.index()]).collect();
-        amounts::solved(contacts, &operands).err().map(|at| contacts.joints[at].0.clone())
+        let Node::Solved(solve, ..) = node else { return None };
+        let Implicit::Amounts(contacts) = graph.implicit(solve) else { return None };
+        let operands: Vec<_> = contacts.equations.iter().map(|id| &values[id.index()]).collect();
+        amounts::all(contacts, &operands).err().map(|at| contacts.joints[at].0.clone())
     })
 }
 
-/// An amount of friction among those of its equations, given the values of the guard's operands.
+/// Amounts of friction by their equations, given the values of the rows and where steps begin.
 #[cfg(test)]
-pub(crate) fn amount<N: Number>(contacts: &Contacts, operands: &[&N]) -> Option<N> {
-    amounts::solved(contacts, operands).ok()
+pub(crate) fn amounts<N: Number>(contacts: &Contacts, operands: &[&N]) -> Option<Vec<N>> {
+    amounts::all(contacts, operands).ok()
 }
 
 /// Newton's method from where the root is expected, or from the middle: declarations of tests are
@@ -221,11 +212,8 @@ fn value<N: Number>(
         Node::Select([a, b, x, y]) => if v(a).is_at_least(v(b)) { v(x) } else { v(y) }.clone(),
         Node::MulErr(..) | Node::AddErr(..) | Node::Low(_) => N::exact(&Exact::integer(0)),
         Node::Fused(a, b, c) => v(a).mul(v(b)).add(v(c)),
-        Node::Guard(value, guard) => {
-            amount_beside(graph, guard, values, &mut None).unwrap_or_else(|| v(value).clone())
-        }
+        Node::Guard(value, _) => v(value).clone(),
         Node::Trial(_) => trial.expect("a trial is made in a search").clone(),
-        Node::RootScale(_) => N::exact(&Exact::integer(1)),
-        Node::Root(_) => unreachable!("a search of its own"),
+        Node::Solved(..) => unreachable!("solved by itself"),
     }
 }

@@ -1,17 +1,7 @@
 //! Nodes to be computed for a set of sinks.
 
 use crate::ir::graph::{Graph, Id, Node};
-
-/// Selection of the guard's operands that are followed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Path {
-    /// Operands of the fast path: the guarded value, and what it is compared with.
-    Fast,
-    /// Operands of the slow path as well.
-    Slow,
-    /// Operands of the fast path, looking through guards.
-    Unchecked,
-}
+pub(crate) use crate::ir::node::Path;
 
 /// For every node of the graph, whether one of the sinks needs it.
 pub(crate) fn live(graph: &Graph, sinks: &[Id], path: Path) -> Vec<bool> {
@@ -32,12 +22,7 @@ pub(super) fn spread(graph: &Graph, live: &mut [bool], path: Path) {
             continue;
         }
         let node = nodes[index];
-        let mut mark = |operand: Id| live[operand.0 as usize] = true;
-        match path {
-            Path::Fast => graph.for_fast_operands_of(node, &mut mark),
-            Path::Unchecked => node.for_operands(&mut mark),
-            Path::Slow => graph.for_operands_of(node, &mut mark),
-        }
+        graph.for_operands(node, path, &mut |operand| live[operand.0 as usize] = true);
     }
 }
 
@@ -58,8 +43,8 @@ pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
     }
     for (id, node) in graph.iter() {
         let mut depends = matches!(node, Node::Trial(_));
-        if !matches!(node, Node::Root(_)) {
-            graph.for_operands_of(node, &mut |operand| depends |= tried[operand.index()]);
+        if !matches!(node, Node::Solved(..)) {
+            graph.for_operands(node, Path::Slow, &mut |operand| depends |= tried[operand.index()]);
         }
         tried[id.index()] = depends;
     }
@@ -79,9 +64,9 @@ pub(crate) fn trial_nodes(graph: &Graph, tried: &[bool], sides: &[Id]) -> Vec<(I
     graph.iter().filter(|(id, _)| needed[id.index()] && tried[id.index()]).collect()
 }
 
-/// The node itself, or the value that it guards: guards compute nothing in the fast path.
+/// The node itself, or the value that it stands on: nothing is computed in between in the fast path.
 pub(crate) fn unguarded(graph: &Graph, mut id: Id) -> Id {
-    while let Node::Guard(value, _) = graph.node(id) {
+    while let Some(value) = graph.beneath(id) {
         id = value;
     }
     id

@@ -20,6 +20,21 @@ pub(crate) struct ConstantId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct GuardId(pub u32);
 
+/// Equations that are solved at run time, see `implicit::Implicit`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct ImplicitId(pub u32);
+
+/// Selection of the operands that are followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Path {
+    /// Operands of the fast path: the guarded value, and what it is compared with.
+    Fast,
+    /// Operands of the slow path as well.
+    Slow,
+    /// Operands of the fast path, looking through guards.
+    Unchecked,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Node {
     Constant(ConstantId),
@@ -69,11 +84,10 @@ pub(crate) enum Node {
     /// A value at which the equation of an unknown is tried. What depends on it is computed inside
     /// the search alone.
     Trial(u32),
-    /// The root of an unknown's equation, or the end of where there can be one.
-    Root(RootSearch),
-    /// Second result of a search: for a root, the size that the rounding of its equation is measured by;
-    /// for an end, one at a dead point and zero elsewhere.
-    RootScale(Id),
+    /// One of the numbers that come out of equations solved at run time, and the value that it stands
+    /// on, if there is one: of an amount of friction the one that straight-line code has found, of a
+    /// root's size the root.
+    Solved(ImplicitId, u32, Option<Id>),
 }
 
 /// Specification of a search.
@@ -135,7 +149,7 @@ impl Trend {
 }
 
 impl Node {
-    /// Calls `f` with every operand that the fast path computes with.
+    /// Calls `f` with every operand that stands in the node itself: `Graph::for_operands` knows the others.
     pub(crate) fn for_operands(self, f: &mut impl FnMut(Id)) {
         self.map_operands(&mut |operand| {
             f(operand);
@@ -143,7 +157,7 @@ impl Node {
         });
     }
 
-    /// The same node on other operands; a guard's own operands are not among them.
+    /// The same node on other operands; those of a guard and of what is solved are not among them.
     pub(crate) fn map_operands(self, f: &mut impl FnMut(Id) -> Id) -> Self {
         match self {
             Self::Constant(_)
@@ -156,13 +170,7 @@ impl Node {
             | Self::Mode(_)
             | Self::Trial(_)
             | Self::Low(_) => self,
-            Self::Root(sought) => Self::Root(RootSearch {
-                between: sought.between.map(&mut *f),
-                near: sought.near.map(&mut *f),
-                sides: sought.sides.map(&mut *f),
-                ..sought
-            }),
-            Self::RootScale(root) => Self::RootScale(f(root)),
+            Self::Solved(solve, output, on) => Self::Solved(solve, output, on.map(f)),
             Self::Neg(a) => Self::Neg(f(a)),
             Self::Apply(function, a) => Self::Apply(function, f(a)),
             Self::Guard(a, guard) => Self::Guard(f(a), guard),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::interface::entries::EntryPoint;
-use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::graph::{Graph, Id, Node, Path};
 use crate::ir::program::Program;
 
 /// The program's nodes and the sinks of its entry points.
@@ -36,6 +36,11 @@ fn describe(graph: &Graph, node: Node) -> String {
         Node::Drive(input) => format!("drive {input}"),
         Node::Mode(param) => format!("mode {param}"),
         Node::Trial(unknown) => format!("trial of unknown {unknown}"),
+        Node::Solved(solve, output, _) => {
+            let mut operands = Vec::new();
+            graph.for_operands(node, Path::Slow, &mut |id| operands.push(name(id)));
+            format!("solved {}.{output} by {}", solve.0, operands.join(" "))
+        }
         Node::Guard(value, guard) => {
             let guard = graph.condition(guard);
             format!("{} if {:?} of group {}", name(value), guard.check, guard.group)
@@ -61,8 +66,6 @@ fn operation(node: Node) -> &'static str {
         Node::MulErr(..) => "mul_err",
         Node::AddErr(..) => "add_err",
         Node::Fused(..) => "fused",
-        Node::Root(_) => "root",
-        Node::RootScale(_) => "size",
         _ => "leaf",
     }
 }

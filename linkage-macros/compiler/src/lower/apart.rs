@@ -44,8 +44,7 @@ fn moves(graph: &Graph) -> Vec<bool> {
             | Node::InputSin(_)
             | Node::Load(_)
             | Node::Drive(_)
-            | Node::Root(_)
-            | Node::RootScale(_) => true,
+            | Node::Solved(..) => true,
             node => {
                 let mut moved = false;
                 node.for_operands(&mut |operand: Id| moved |= moves[operand.index()]);

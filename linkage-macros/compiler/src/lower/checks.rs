@@ -2,10 +2,10 @@
 //! question for the slow path.
 
 use super::overflow::{Overflow, Spread};
-use super::routine::{Amounts, Condition, StraightAmounts, Threshold};
+use super::routine::{Condition, Threshold};
 use crate::ir::check::{Check, Comparison, Least};
-use crate::ir::graph::{Contacts, Graph, Guard, Id, Node};
-use crate::ir::liveness::{live_nodes, unguarded};
+use crate::ir::graph::{Graph, Guard, Id, Node};
+use crate::ir::liveness::unguarded;
 
 pub(super) fn condition(
     graph: &Graph,
@@ -34,39 +34,6 @@ pub(super) fn condition(
         check: guard.check.clone(),
         operands,
         group: guard.group,
-    }
-}
-
-/// All the amounts of friction that are solved together with one of them, as far as they are live.
-pub(super) fn amounts(
-    graph: &Graph,
-    live: &[bool],
-    of: &Guard,
-    Contacts { joints, proofs, .. }: &Contacts,
-) -> Amounts {
-    let (mut ids, mut amounts) = (vec![None; joints.len()], vec![None; joints.len()]);
-    for (id, node) in live_nodes(graph, live) {
-        let Node::Guard(value, guard) = node else { continue };
-        let guard = graph.condition(guard);
-        if let Check::Amount(contacts) = &guard.check
-            && contacts.joints == *joints
-            && guard.operands == of.operands
-        {
-            (ids[contacts.at], amounts[contacts.at]) = (Some(id), Some(value));
-        }
-    }
-    let proved = proofs.of(&of.operands);
-    let equations = &of.operands[..of.operands.len() - proved.len()];
-    let (rows, starts) = equations.split_at(equations.len() - joints.len());
-    let (positive, small) = proved.split_at(proofs.positive);
-    let small = small.chunks(2).map(|pair| [pair[0], pair[1]]).collect();
-    let straight = StraightAmounts { amounts, positive: positive.to_vec(), small };
-    Amounts {
-        joints: joints.clone(),
-        ids,
-        starts: starts.to_vec(),
-        rows: rows.to_vec(),
-        straight: (!proofs.are_none()).then_some(straight),
     }
 }
 

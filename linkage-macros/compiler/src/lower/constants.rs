@@ -1,7 +1,7 @@
 //! Constants that a function reads more than once: bound to names where it begins. Each is a call for
 //! the compiler, a fifth of all that a mechanism's formulas make, and nothing at run time.
 
-use super::routine::{Instruction, Locals, Stage, StraightAmounts};
+use super::routine::{Instruction, Locals, Stage};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 
@@ -36,16 +36,18 @@ impl Count<'_> {
                     self.value(condition.value);
                     condition.operands.iter().for_each(|&operand| self.value(operand));
                 }
-                Instruction::Amounts(amounts) => {
-                    let straight = amounts.straight.iter().flat_map(StraightAmounts::values);
-                    let all = straight.chain(&amounts.starts).chain(&amounts.rows);
-                    all.for_each(|&id| self.value(id));
+                // Signs of constants are handed to a search, which is no formula.
+                Instruction::Solve(solving)
+                    if self.graph.implicit(solving.implicit).is_search() => {}
+                Instruction::Solve(solving) => {
+                    let compared = solving.compares.iter().flatten();
+                    compared.chain(&solving.reads).for_each(|&id| self.value(id));
                 }
                 Instruction::ReportClearances { statements, clearances } => {
                     self.statements(statements);
                     clearances.iter().for_each(|&id| self.value(id));
                 }
-                Instruction::SinCos { .. } | Instruction::Find { .. } => {}
+                Instruction::SinCos { .. } => {}
             }
         }
     }

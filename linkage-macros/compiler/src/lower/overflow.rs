@@ -16,7 +16,7 @@ use super::witnesses::witnesses;
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::check::Least;
-use crate::ir::graph::{Graph, Id, Node};
+use crate::ir::graph::{Graph, Id, Node, Path};
 use crate::ir::hash::Map;
 use crate::ir::liveness::live_nodes;
 
@@ -146,7 +146,8 @@ fn asked(graph: &Graph, sinks: &[Id], live: &[bool]) -> Vec<Node> {
     sinks.iter().for_each(|sink| only_turned[sink.index()] = false);
     for (_, node) in live_nodes(graph, live) {
         if !matches!(node, Node::Apply(Function::Sin | Function::Cos, _)) {
-            node.for_operands(&mut |operand| only_turned[operand.index()] = false);
+            let mut reads = |operand: Id| only_turned[operand.index()] = false;
+            graph.for_operands(node, Path::Unchecked, &mut reads);
         }
     }
     live_nodes(graph, live)

@@ -13,7 +13,7 @@ use super::interval::Interval;
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::check::{Comparison, Least};
-use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+use crate::ir::graph::{Graph, Guard, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{live_nodes, unguarded};
 
@@ -122,7 +122,7 @@ impl Bounds<'_> {
             // A parameter can be anything, and so can a load.
             Node::Param(_) | Node::Load(_) | Node::Drive(_) => return None,
             // Values that a search makes of the inputs are not followed.
-            Node::Trial(_) | Node::Root(_) | Node::RootScale(_) => return None,
+            Node::Trial(_) | Node::Solved(..) => return None,
             Node::Mode(_) => Interval { low: -1.0, high: 1.0, away: 1.0 },
             Node::Neg(a) => self.of(a)?.negated(),
             Node::Add(a, b) => self.of(a)?.plus(self.of(b)?).rounded(),
@@ -184,10 +184,6 @@ impl Bounds<'_> {
 
     /// The range that the fast path goes on with, once it has asked for the threshold.
     fn guarded(&mut self, value: Id, Guard { check, operands, .. }: &Guard) -> Option<Interval> {
-        // It is the solution of an equation.
-        if matches!(check, Check::Amount(_)) {
-            return None;
-        }
         let range = self.of(value)?;
         let Some((comparison, least)) = check.row().comparison else { return Some(range) };
         let share = self.limits.share * range.largest();

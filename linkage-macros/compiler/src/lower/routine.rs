@@ -9,8 +9,9 @@ use crate::interface::records::Shape;
 use crate::interface::{EntryId, Interface};
 use crate::ir::check::{Check, Comparison};
 use crate::ir::cost::Operations;
-use crate::ir::graph::{Graph, Id, Node, RootSearch, Target};
+use crate::ir::graph::{Graph, Id, ImplicitId, Node, RootSearch, Target};
 use crate::ir::hash::{Map, Set};
+use crate::ir::implicit::Implicit;
 use crate::ir::liveness::{Path, unguarded};
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
@@ -37,7 +38,7 @@ pub(crate) struct Lowered<'p> {
 pub(crate) struct Search {
     /// Routine of a trial: both sides and the slope.
     pub routine: Routine,
-    pub root: Id,
+    pub implicit: ImplicitId,
     pub sought: RootSearch,
     /// Arguments of a trial: values that no trial changes.
     pub given: Vec<Id>,
@@ -121,14 +122,7 @@ pub(crate) enum Instruction {
         least_square: Threshold,
     },
     Check(Condition),
-    Amounts(Amounts),
-    /// The root of an equation, and the size that its rounding is measured by; an index into
-    /// `Lowered::searches`.
-    Find {
-        search: usize,
-        root: Id,
-        size: Option<Id>,
-    },
+    Solve(Solving),
     /// Where clearances are asked for: values and scales in turn, and what they need beside. There it
     /// ends.
     ReportClearances {
@@ -154,51 +148,27 @@ pub(crate) struct Condition {
     pub group: u32,
 }
 
-/// The solution of the equations of all amounts of friction that depend on each other.
+/// Equations that are solved, and what each path reads for that.
 #[derive(Clone, Debug)]
-pub(crate) struct Amounts {
-    /// The joints, as errors name them, and whether each is a guide.
-    pub joints: Vec<(String, bool)>,
-    /// By amount, the node that goes on; none where nothing needs it.
-    pub ids: Vec<Option<Id>>,
-    /// The first values of the steps.
-    pub starts: Vec<Id>,
-    /// The rows of the equations, one after the other.
-    pub rows: Vec<Id>,
-    /// Amounts that straight-line code has found, if it has.
-    pub straight: Option<StraightAmounts>,
+pub(crate) struct Solving {
+    pub implicit: ImplicitId,
+    /// By output, the node that goes on; none where nothing needs it.
+    pub outputs: Vec<Option<Id>>,
+    pub reads: Vec<Id>,
+    /// The values that the fast path reads, where it asks for proofs alone.
+    pub compares: Option<Vec<Id>>,
 }
 
-/// Amounts that straight-line code has found, and what shows that they are the solution.
-#[derive(Clone, Debug)]
-pub(crate) struct StraightAmounts {
-    /// By amount; none where nothing needs it.
-    pub amounts: Vec<Option<Id>>,
-    /// Numbers that the fast path asks to be above zero.
-    pub positive: Vec<Id>,
-    /// Pairs; the fast path asks the first to be less than the rounding of the second.
-    pub small: Vec<[Id; 2]>,
-}
-
-impl StraightAmounts {
-    /// All amounts; one that nothing needs is where its steps begin.
-    pub(crate) fn found(&self, starts: &[Id]) -> Vec<Id> {
-        let found = self.amounts.iter().zip(starts);
-        found.map(|(amount, start)| amount.unwrap_or(*start)).collect()
+impl Solving {
+    /// The values that the outputs stand on, others for those that nothing needs.
+    pub(crate) fn found(&self, graph: &Graph, others: &[Id]) -> Vec<Id> {
+        let found = self.outputs.iter().map(|id| graph.beneath((*id)?));
+        found.zip(others).map(|(found, other)| found.unwrap_or(*other)).collect()
     }
 
-    /// The values that the fast path reads.
-    pub(crate) fn values(&self) -> impl Iterator<Item = &Id> {
-        let amounts = self.amounts.iter().flatten();
-        amounts.chain(&self.positive).chain(self.small.iter().flatten())
-    }
-}
-
-impl Amounts {
-    /// A number whose bit j is set if contact j is a guide.
-    pub(crate) fn guides(&self) -> u32 {
-        let contacts = self.joints.iter().enumerate();
-        contacts.map(|(j, (_, is_guide))| u32::from(*is_guide) << j).sum()
+    /// The locals that are bound.
+    pub(crate) fn bound(&self) -> impl Iterator<Item = Id> {
+        self.outputs.iter().flatten().copied()
     }
 }
 
@@ -356,6 +326,18 @@ impl Lowered<'_> {
         let Compute::Own { asked, .. } = &self.entries[id.index()] else { return false };
         let bounds = asked.finite.iter().filter_map(|finite| finite.instead.as_ref());
         bounds.flat_map(|(_, bounds)| bounds).any(|bound| matches!(bound, Bound::OnCircle { .. }))
+    }
+
+    /// The equations that a statement solves.
+    pub(crate) fn implicit(&self, solving: &Solving) -> &Implicit {
+        self.program.graph.implicit(solving.implicit)
+    }
+
+    /// The search of these equations, and its index.
+    pub(crate) fn search_by(&self, solving: &Solving) -> (usize, &Search) {
+        let mut searches = self.searches.iter().enumerate();
+        let search = searches.find(|(_, search)| search.implicit == solving.implicit);
+        search.expect("every root of the program has a search")
     }
 
     /// The search of an unknown's root, where anything asks for it.

@@ -3,9 +3,9 @@
 
 use super::checks;
 use super::overflow::Overflow;
-use super::routine::{Instruction, Locals, Search, StraightAmounts, Threshold, is_leaf};
+use super::routine::{Instruction, Locals, Search, Solving, Threshold, is_leaf};
 use crate::function::Function;
-use crate::ir::graph::{Check, Graph, GuardId, Id, Node};
+use crate::ir::graph::{Graph, Id, ImplicitId, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live_nodes};
 
@@ -94,11 +94,15 @@ impl<'a> Schedule<'a> {
                         Instruction::SinCos { angle, sin, cos, is_checked: self.is_checked(node) }
                     })
                 }
-                // It comes with its root.
-                Node::RootScale(_) => None,
-                Node::Root(_) => Some(self.find(id)),
-                Node::Guard(..) if self.path == Path::Unchecked => None,
-                Node::Guard(value, guard) => Some(self.asked(live, id, value, guard)),
+                _ if self.path == Path::Unchecked && graph.beneath(id).is_some() => None,
+                Node::Solved(implicit, ..) => {
+                    Some(Instruction::Solve(self.solving(live, implicit)))
+                }
+                Node::Guard(value, guard) => {
+                    let guard = graph.condition(guard);
+                    let condition = checks::condition(graph, self.overflow, id, value, guard);
+                    Some(Instruction::Check(condition))
+                }
                 _ => Some(Instruction::Let(id)),
             };
             statements.extend(statement);
@@ -106,25 +110,25 @@ impl<'a> Schedule<'a> {
         statements
     }
 
-    /// The condition of a value. Amounts of friction that depend on each other are found at the first.
-    fn asked(&mut self, live: &[bool], id: Id, value: Id, guard: GuardId) -> Instruction {
-        let condition = self.graph.condition(guard);
-        let Check::Amount(contacts) = &condition.check else {
-            let condition = checks::condition(self.graph, self.overflow, id, value, condition);
-            return Instruction::Check(condition);
-        };
-        let amounts = checks::amounts(self.graph, live, condition, contacts);
-        for id in amounts.ids.iter().flatten() {
-            self.done[id.index()] = true;
+    /// All that comes out of these equations, as far as it is live: it is found with the first.
+    fn solving(&mut self, live: &[bool], implicit: ImplicitId) -> Solving {
+        let row = self.graph.implicit(implicit);
+        let mut outputs = vec![None; row.outputs()];
+        // A later stage may want the size of a root.
+        for (id, node) in self.graph.iter() {
+            if let Node::Solved(of, output, _) = node
+                && of == implicit
+                && (live[id.index()] || row.is_search())
+            {
+                outputs[output as usize] = Some(id);
+                self.done[id.index()] = true;
+            }
         }
-        Instruction::Amounts(amounts)
-    }
-
-    /// The search for a root; the size may be wanted by a later stage.
-    fn find(&self, root: Id) -> Instruction {
-        let search = self.searches.iter().position(|search| search.root == root);
-        let search = search.expect("every root of the program has a search");
-        Instruction::Find { search, root, size: self.graph.find(Node::RootScale(root)) }
+        let search = self.searches.iter().find(|search| search.implicit == implicit);
+        let given = search.map_or(&[][..], |search| &search.given);
+        let beneath = outputs.iter().flatten().filter_map(|&id| self.graph.beneath(id));
+        let (reads, compares) = row.reads(given, beneath);
+        Solving { implicit, outputs, reads, compares }
     }
 
     /// Conditions are, and angles that are not constant: a large one takes more than the fast
@@ -133,7 +137,7 @@ impl<'a> Schedule<'a> {
         let is_constant = |id| matches!(self.graph.node(id), Node::Constant(_));
         self.path != Path::Unchecked
             && match node {
-                Node::Guard(..) | Node::Root(_) => true,
+                Node::Guard(..) | Node::Solved(..) => true,
                 Node::Apply(Function::Sin | Function::Cos, angle) => !is_constant(angle),
                 _ => false,
             }
@@ -153,18 +157,13 @@ impl<'a> Schedule<'a> {
                 node.for_operands(&mut |operand| self.for_locals(&[operand], each));
             }
             Instruction::SinCos { angle, .. } => self.for_locals(&[*angle], each),
-            Instruction::Find { search, .. } => {
-                self.for_locals(&self.searches[*search].given, each)
-            }
             Instruction::Check(condition) => {
                 self.for_locals(&[condition.value], each);
                 self.for_locals(&condition.operands, each);
             }
-            Instruction::Amounts(amounts) => {
-                let straight = amounts.straight.iter().flat_map(StraightAmounts::values);
-                straight.for_each(|&id| self.for_locals(&[id], each));
-                self.for_locals(&amounts.starts, each);
-                self.for_locals(&amounts.rows, each);
+            Instruction::Solve(solving) => {
+                solving.compares.iter().for_each(|compared| self.for_locals(compared, each));
+                self.for_locals(&solving.reads, each);
             }
             Instruction::ReportClearances { statements, clearances } => {
                 statements.iter().for_each(|statement| self.for_uses(statement, each));
@@ -180,8 +179,7 @@ pub(super) fn defines(statement: &Instruction) -> Vec<Id> {
         Instruction::Let(id) | Instruction::Length { id, .. } => vec![*id],
         Instruction::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
         Instruction::Check(condition) => vec![condition.id],
-        Instruction::Amounts(amounts) => amounts.ids.iter().flatten().copied().collect(),
-        Instruction::Find { root, size, .. } => [*root].into_iter().chain(*size).collect(),
+        Instruction::Solve(solving) => solving.bound().collect(),
         Instruction::ReportClearances { .. } => Vec::new(),
     }
 }

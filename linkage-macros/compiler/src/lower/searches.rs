@@ -7,7 +7,7 @@ use super::{apart, locals, unique_root};
 use crate::function::Function;
 use crate::interface::records::Shape;
 use crate::ir::cost::{Costs, Operations};
-use crate::ir::graph::{Graph, Id, Node, RootSearch, Target};
+use crate::ir::graph::{Graph, Id, ImplicitId, Node, RootSearch, Target};
 use crate::ir::hash::Map;
 use crate::ir::liveness::{Path, live, trial_nodes};
 use crate::ir::program::{Clearance, Program};
@@ -23,7 +23,7 @@ pub(super) fn searches(
     let roots = program.closures.iter().map(|closure| closure.root);
     let mut searches: Vec<Search> = Vec::new();
     for root in roots.chain(ends(program)) {
-        let Node::Root(sought) = program.graph.node(root) else { continue };
+        let Some((solve, sought)) = program.graph.search(root) else { continue };
         let unknown = &mechanism.unknowns[sought.unknown as usize];
         let name = unknown.name.to_string();
         // An unknown is searched in one way for an angle, in another for its cosine and sine.
@@ -36,7 +36,7 @@ pub(super) fn searches(
             Target::End(_) => "upper",
         };
         let name = locals::single_underscores(&format!("{begin}_{name}{suffix}").to_lowercase());
-        let of_unknown = search(&program.graph, root, sought, name, tried);
+        let of_unknown = search(&program.graph, solve, sought, name, tried);
         let are_known = unknown.between.iter().all(|end| end.constant().is_some());
         let asks_for_a_turn = unknown.dimension.angle && !are_known;
         let cost = costs.of_trial(&sought.sides);
@@ -65,13 +65,21 @@ fn has_one_root(graph: &Graph, end: &RootSearch) -> Option<bool> {
 fn ends(program: &Program) -> impl Iterator<Item = Id> + '_ {
     let sinks: Vec<Id> = program.clearances.iter().flat_map(Clearance::sinks).collect();
     let live = live(&program.graph, &sinks, Path::Unchecked);
-    program.graph.iter().filter_map(move |(id, node)| match node {
-        Node::Root(RootSearch { wanted: Target::End(_), .. }) => live[id.index()].then_some(id),
-        _ => None,
-    })
+    let is_end = |id| {
+        let sought = program.graph.search(id).map(|(_, sought)| sought.wanted);
+        matches!(sought, Some(Target::End(_)))
+    };
+    let ids = program.graph.iter().map(|(id, _)| id);
+    ids.filter(move |&id| live[id.index()] && is_end(id))
 }
 
-fn search(graph: &Graph, root: Id, sought: RootSearch, name: String, tried: &[bool]) -> Search {
+fn search(
+    graph: &Graph,
+    implicit: ImplicitId,
+    sought: RootSearch,
+    name: String,
+    tried: &[bool],
+) -> Search {
     let nodes = trial_nodes(graph, tried, &sought.sides);
     let of_trial = || nodes.iter().copied();
     let is_constant = |id: Id| matches!(graph.node(id), Node::Constant(_) | Node::Low(_));
@@ -109,7 +117,7 @@ fn search(graph: &Graph, root: Id, sought: RootSearch, name: String, tried: &[bo
     };
     let (cost, has_one_root) = (Operations::default(), None);
     let (apart, asks_for_a_turn) = (None, false);
-    Search { routine, root, sought, given, cost, has_one_root, apart, asks_for_a_turn }
+    Search { routine, implicit, sought, given, cost, has_one_root, apart, asks_for_a_turn }
 }
 
 /// The statements of a trial, given the nodes that it computes.

@@ -55,7 +55,7 @@ fn pieces<const N: usize>(
     let nodes: Vec<_> = live_nodes(graph, &live).collect();
     let is_known = |node: Node| match node {
         Node::Constant(_) | Node::Low(_) | Node::Trial(_) => true,
-        Node::Root(_) | Node::RootScale(_) => false,
+        Node::Solved(..) => false,
         node => {
             let mut operands = 0;
             node.for_operands(&mut |_| operands += 1);

@@ -108,7 +108,7 @@ impl Backwards<'_> {
                     || compares
                     || reads(&condition.id)
             }
-            Instruction::Find { .. } | Instruction::Amounts(_) => true,
+            Instruction::Solve(_) => true,
             Instruction::ReportClearances { .. } => false,
         }
     }
@@ -128,16 +128,11 @@ impl Backwards<'_> {
                     condition.above_rounding.into_iter().for_each(|spread| self.value(spread));
                 }
             }
-            Instruction::Amounts(amounts) => match (&amounts.straight, self.asks) {
-                (Some(straight), Asks::Compares) => {
-                    straight.values().for_each(|&id| self.value(id));
-                }
-                _ => amounts.starts.iter().chain(&amounts.rows).for_each(|&id| self.value(id)),
-            },
-            Instruction::Find { search, .. } => {
-                let search = &self.lowered.searches[*search];
-                search.given.iter().for_each(|&given| self.value(given));
-                self.used.leaves.extend(search.sought.trend.param().map(Node::Param));
+            Instruction::Solve(solving) => {
+                let compared = solving.compares.as_ref().filter(|_| self.asks == Asks::Compares);
+                compared.unwrap_or(&solving.reads).iter().for_each(|&id| self.value(id));
+                let chosen_by = self.lowered.implicit(solving).chosen_by();
+                self.used.leaves.extend(chosen_by.map(Node::Param));
             }
             Instruction::ReportClearances { .. } => {}
         }

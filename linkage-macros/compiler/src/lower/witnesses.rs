@@ -23,7 +23,7 @@ pub(super) fn witnesses(graph: &Graph, sinks: &[Id]) -> Vec<Id> {
             tested.push(id);
         }
         if is_sink[index] || shows[index] {
-            for_carried(node, &mut |operand| shows[operand.0 as usize] = true);
+            for_carried(graph, id, &mut |operand| shows[operand.0 as usize] = true);
         }
     }
     tested.reverse();
@@ -35,18 +35,17 @@ fn always_finite(node: Node) -> bool {
 }
 
 /// Calls `f` with every operand whose being not finite the node carries on.
-fn for_carried(node: Node, f: &mut impl FnMut(Id)) {
-    match node {
+fn for_carried(graph: &Graph, id: Id, f: &mut impl FnMut(Id)) {
+    match graph.node(id) {
         Node::Neg(_)
         | Node::Add(..)
         | Node::Sub(..)
         | Node::Mul(..)
         | Node::Apply(Function::Sqrt, _)
         | Node::Det(_)
-        | Node::Fused(..)
-        | Node::Guard(..) => node.for_operands(f),
+        | Node::Fused(..) => graph.node(id).for_operands(f),
         Node::Div(numerator, _) => f(numerator),
-        _ => {}
+        _ => graph.beneath(id).into_iter().for_each(f),
     }
 }
 

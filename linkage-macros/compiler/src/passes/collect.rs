@@ -81,7 +81,7 @@ impl<'g> Sums<'g> {
         let mut use_once = |id: Id| users[id.index()] += 1;
         sinks.iter().copied().for_each(&mut use_once);
         for (_, node) in live_nodes(graph, &live) {
-            graph.for_operands_of(node, &mut use_once);
+            graph.for_operands(node, Path::Slow, &mut use_once);
         }
         let mut sums = Self { graph, stays, users, is_inner: vec![false; graph.len()] };
         for (id, _) in live_nodes(graph, &live) {

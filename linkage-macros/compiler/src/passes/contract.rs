@@ -59,7 +59,7 @@ fn is_made_from(graph: &Graph, node: Id, other: Id) -> bool {
             return true;
         }
         if id > other && seen.insert(id) {
-            graph.node(id).for_operands(&mut |operand| left.push(operand));
+            graph.for_operands(graph.node(id), Path::Unchecked, &mut |operand| left.push(operand));
         }
     }
     false

@@ -51,7 +51,6 @@ fn evaluate(graph: &Graph, node: Node) -> Option<Exact> {
         | Node::Mode(_)
         | Node::Guard(..)
         | Node::Trial(_)
-        | Node::Root(_)
-        | Node::RootScale(_) => None,
+        | Node::Solved(..) => None,
     }
 }

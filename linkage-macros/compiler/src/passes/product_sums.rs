@@ -78,7 +78,7 @@ fn rates(graph: &Graph) -> Vec<bool> {
     let mut rates = Vec::with_capacity(graph.len());
     for (_, node) in graph.iter() {
         let mut is_rate = matches!(node, Node::Input { order: 1.., .. });
-        graph.for_operands_of(node, &mut |operand| is_rate |= rates[operand.index()]);
+        graph.for_operands(node, Path::Slow, &mut |operand| is_rate |= rates[operand.index()]);
         rates.push(is_rate);
     }
     rates
@@ -89,7 +89,7 @@ fn depths(graph: &Graph) -> Vec<u32> {
     let mut depths = Vec::with_capacity(graph.len());
     for (_, node) in graph.iter() {
         let mut depth = 0;
-        graph.for_operands_of(node, &mut |operand| {
+        graph.for_operands(node, Path::Slow, &mut |operand| {
             depth = u32::max(depth, 1 + depths[operand.index()]);
         });
         depths.push(depth);
@@ -109,7 +109,7 @@ impl<'p> Own<'p> {
         let (graph, sinks) = (&program.graph, program.sinks());
         let mut uses = vec![0; graph.len()];
         for (_, node) in live_nodes(graph, &live(graph, &sinks, Path::Slow)) {
-            graph.for_operands_of(node, &mut |operand| uses[operand.index()] += 1);
+            graph.for_operands(node, Path::Slow, &mut |operand| uses[operand.index()] += 1);
         }
         sinks.iter().for_each(|sink| uses[sink.index()] += 1);
         Self { graph, uses, asked: asked_for_errors(program) }

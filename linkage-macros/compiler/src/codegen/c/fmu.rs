@@ -7,7 +7,8 @@ mod model_description;
 mod model_table;
 
 use super::c_identifiers::{Width, file_stem, snake_case};
-use super::{FRICTION, In, ROOT, rubs};
+use super::in_c::rubs;
+use super::{FRICTION, In, ROOT};
 use crate::codegen::arguments::Signatures;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;

@@ -9,7 +9,8 @@ use crate::codegen::text::Text;
 use crate::interface::entries::ArgumentKind;
 use crate::ir::check::Comparison;
 use crate::ir::graph::{Id, Node};
-use crate::lower::routine::{Amounts, Condition, Instruction, StraightAmounts, Threshold};
+use crate::ir::implicit::{Contacts, Implicit};
+use crate::lower::routine::{Condition, Instruction, Lowered, Solving, Threshold};
 use crate::lower::used::{Asks, Used};
 
 /// C of one width on one path.
@@ -20,6 +21,15 @@ pub(super) struct InC<'a> {
     pub used: &'a Used,
     /// The words in front of a name that is bound once.
     pub binding: &'static str,
+}
+
+/// True if some of what is printed asks for amounts of friction that depend on each other.
+pub(super) fn rubs(lowered: &Lowered<'_>) -> bool {
+    let stages = lowered.routines.iter().flat_map(|routine| &routine.stages);
+    stages.flat_map(|stage| &stage.statements).any(|statement| match statement {
+        Instruction::Solve(solving) => matches!(lowered.implicit(solving), Implicit::Amounts(_)),
+        _ => false,
+    })
 }
 
 /// 64 roots of rounding: the permitted difference of an equation's sides, in units of their size.
@@ -132,55 +142,78 @@ impl Dialect for InC<'_> {
         }
     }
 
-    /// One call for all of them, which hands them back in a list.
-    fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
-        let Amounts { joints, ids, starts, rows, straight } = amounts;
-        let (dialect, real, count) = (&printer.dialect, printer.dialect.to.real(), ids.len());
-        if let (Some(straight), Asks::Compares) = (straight, dialect.asks) {
-            return straight_amounts(printer, ids, straight, to);
+    fn solve(printer: &Printer<'_, Self>, solving: &Solving, to: &mut Text) {
+        match printer.lowered.implicit(solving) {
+            Implicit::Root(_) => printer.find(solving, to),
+            Implicit::Amounts(contacts) => printer.amounts(contacts, solving, to),
         }
-        let first = ids.iter().flatten().next().expect("one is needed");
-        let [rows_of, starts_of, found] = ["rows", "starts", "found"]
-            .map(|tail: &str| format!("{}{tail}", printer.local(*first)));
-        for (name, values) in [(&rows_of, rows), (&starts_of, starts)] {
+    }
+
+    /// Following is not offered.
+    fn tell(_: &Printer<'_, Self>, _: &[Instruction], _: &[Id], _: &mut Text) {}
+}
+
+impl Printer<'_, InC<'_>> {
+    /// One call for all amounts, which hands them back in a list.
+    fn amounts(&self, contacts: &Contacts, solving: &Solving, to: &mut Text) {
+        let (dialect, real, count) = (&self.dialect, self.dialect.to.real(), contacts.joints.len());
+        if contacts.are_found() && dialect.asks == Asks::Compares {
+            return self.found(contacts, solving, to);
+        }
+        let first = self.local(solving.bound().next().expect("one is needed"));
+        let [rows, starts, found] =
+            ["rows", "starts", "found"].map(|tail: &str| format!("{first}{tail}"));
+        let parts = contacts.parts();
+        for (name, values) in [(&rows, &parts.0.concat()[..]), (&starts, parts.1)] {
             to.put(&format!("const {real} {name}[{}] = {{ ", values.len()));
-            printer.values(values, to);
+            self.values(values, to);
             to.put(" };\n");
         }
         to.put(&format!("{real} {found}[{count}];\n"));
-        let passed = format!("{count}, {}u, {rows_of}, {starts_of}, {found}", amounts.guides());
+        let passed = format!("{count}, {}u, {rows}, {starts}, {found}", contacts.guides());
         to.put(&match dialect.asks {
             Asks::Compares => format!("ok &= {}({passed});\n", dialect.call("amounts")),
             Asks::Diagnoses => {
-                let names: Vec<String> = joints.iter().map(|(joint, _)| quoted(joint)).collect();
-                let joints = format!("{}joints", printer.local(*first));
+                let names: Vec<String> =
+                    contacts.joints.iter().map(|(joint, _)| quoted(joint)).collect();
                 format!(
-                    "static const char *const {joints}[{count}] = {{ {} }};\n{}(why, {joints}, {passed});\n",
+                    "static const char *const {first}joints[{count}] = {{ {} }};\n{}(why, {first}joints, {passed});\n",
                     names.join(", "),
                     dialect.call("friction")
                 )
             }
         });
-        for (at, id) in ids.iter().enumerate() {
-            if let Some(id) = id.filter(|&id| dialect.used.reads(id)) {
-                to.put(dialect.binding).put(&format!("{} = {found}[{at}];\n", printer.local(id)));
-            }
+        self.bind(&found, solving, to);
+    }
+
+    /// The amounts that straight-line code has found, and what shows it.
+    fn found(&self, contacts: &Contacts, solving: &Solving, to: &mut Text) {
+        for &value in &contacts.positive {
+            to.put("ok &= ").append(&self.value_alone(value));
+            to.put(&format!(" > {};\n", self.dialect.to.number(0.0, 0.0)));
+        }
+        for pair in contacts.small.chunks(2) {
+            self.values(pair, to.put("ok &= ").put(&self.dialect.call("is_settled")).put("("));
+            to.put(");\n");
+        }
+        for id in solving.bound().filter(|&id| self.dialect.used.reads(id)) {
+            let amount = self.graph().beneath(id).expect("an amount stands on a value");
+            to.put(self.dialect.binding).put(&self.local(id)).put(" = ");
+            self.value(amount, to);
+            to.put(";\n");
         }
     }
 
-    /// The call of the search of this index, whose numbers no trial changes.
-    fn find(printer: &Printer<'_, Self>, nth: usize, root: Id, size: Option<Id>, to: &mut Text) {
-        let (dialect, search) = (&printer.dialect, &printer.lowered.searches[nth]);
-        let (real, given) = (dialect.to.real(), format!("given{nth}"));
-        let given = match search.given.len() {
-            0 => "NULL".to_string(),
-            count => {
-                to.put(&format!("const {real} {given}[{count}] = {{ "));
-                to.list(&search.given, |to, &id| printer.value(id, to));
-                to.put(" };\n");
-                given
-            }
-        };
+    /// The call of a search, whose numbers no trial changes.
+    fn find(&self, solving: &Solving, to: &mut Text) {
+        let (dialect, (nth, search)) = (&self.dialect, self.lowered.search_by(solving));
+        let (real, mut given) = (dialect.to.real(), "NULL".to_string());
+        if !search.given.is_empty() {
+            given = format!("given{nth}");
+            to.put(&format!("const {real} {given}[{}] = {{ ", search.given.len()));
+            self.values(&search.given, to);
+            to.put(" };\n");
+        }
         let (name, trend) = (dialect.to.root_name(search), dialect.to.chosen_trend(search));
         let (answer, why) = match dialect.asks {
             Asks::Compares => ("ok &= ", "NULL"),
@@ -189,40 +222,16 @@ impl Dialect for InC<'_> {
         to.put(&format!(
             "{real} found{nth}[2];\n{answer}{name}({why}, {trend}{given}, found{nth});\n"
         ));
-        for (at, id) in std::iter::once(root).chain(size).enumerate() {
-            if dialect.used.reads(id) {
-                to.put(dialect.binding).put(&printer.local(id));
-                to.put(&format!(" = found{nth}[{at}];\n"));
+        self.bind(&format!("found{nth}"), solving, to);
+    }
+
+    /// Binds what is read of a list of all that comes out.
+    fn bind(&self, found: &str, solving: &Solving, to: &mut Text) {
+        for (at, id) in solving.outputs.iter().enumerate() {
+            if let Some(id) = id.filter(|&id| self.dialect.used.reads(id)) {
+                to.put(self.dialect.binding).put(&self.local(id));
+                to.put(&format!(" = {found}[{at}];\n"));
             }
-        }
-    }
-
-    /// Following is not offered.
-    fn tell(_: &Printer<'_, Self>, _: &[Instruction], _: &[Id], _: &mut Text) {}
-}
-
-/// The amounts that straight-line code has found, and what shows it.
-fn straight_amounts(
-    printer: &Printer<'_, InC<'_>>,
-    ids: &[Option<Id>],
-    StraightAmounts { amounts, positive, small }: &StraightAmounts,
-    to: &mut Text,
-) {
-    let dialect = &printer.dialect;
-    for &value in positive {
-        to.put("ok &= ").append(&printer.value_alone(value));
-        to.put(&format!(" > {};\n", dialect.to.number(0.0, 0.0)));
-    }
-    for pair in small {
-        to.put("ok &= ").put(&dialect.call("is_settled")).put("(");
-        printer.values(pair, to);
-        to.put(");\n");
-    }
-    for (id, amount) in ids.iter().zip(amounts) {
-        if let (Some(id), Some(amount)) = (id.filter(|&id| dialect.used.reads(id)), amount) {
-            to.put(dialect.binding).put(&printer.local(id)).put(" = ");
-            printer.value(*amount, to);
-            to.put(";\n");
         }
     }
 }

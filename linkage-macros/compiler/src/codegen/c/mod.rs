@@ -18,11 +18,12 @@ pub(crate) mod selection;
 mod two_paths;
 
 use self::c_identifiers::{Width, file_stem, snake_case};
+use self::in_c::rubs;
 use self::selection::Selection;
 use super::arguments::Signatures;
 use super::identifiers::text;
 use crate::interface::Interface;
-use crate::lower::routine::{Instruction, Lowered};
+use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
 /// Prints the files of a mechanism: name and text of its header and its source, then those of the run-time, which
@@ -68,14 +69,6 @@ const ROOT: &str = "linkage_root.c";
 
 /// The part of the run-time that finds amounts of friction.
 const FRICTION: &str = "linkage_friction.c";
-
-/// True if some of what is printed asks for amounts of friction that depend on each other.
-fn rubs(lowered: &Lowered<'_>) -> bool {
-    let stages = lowered.routines.iter().flat_map(|routine| &routine.stages);
-    stages
-        .flat_map(|stage| &stage.statements)
-        .any(|statement| matches!(statement, Instruction::Amounts(_)))
-}
 
 /// The printer of numbers of one width.
 #[derive(Clone, Copy)]

@@ -17,19 +17,19 @@ use crate::lower::used::{Asks, Used};
 impl<'a> In<'a> {
     /// The functions of the roots that printed routines ask for.
     pub(super) fn roots(self, to: &mut String) {
-        for (nth, search) in self.lowered.searches.iter().enumerate() {
-            if self.is_searched(nth) {
+        for search in &self.lowered.searches {
+            if self.is_searched(search) {
                 self.trial(search, to);
                 self.root(search, to);
             }
         }
     }
 
-    fn is_searched(self, nth: usize) -> bool {
+    fn is_searched(self, search: &Search) -> bool {
         let stages = self.lowered.routines.iter().flat_map(|routine| &routine.stages);
-        stages.flat_map(|stage| &stage.statements).any(
-            |statement| matches!(statement, Instruction::Find { search, .. } if *search == nth),
-        )
+        stages.flat_map(|stage| &stage.statements).any(|statement| {
+            matches!(statement, Instruction::Solve(solving) if solving.implicit == search.implicit)
+        })
     }
 
     pub(super) fn root_name(self, search: &Search) -> String {

@@ -210,13 +210,10 @@ fn pointer(is_staged: bool, nth: usize) -> String {
     if is_staged { field_of_motion(Order::ALL[nth]) } else { "to" }.to_string()
 }
 
-/// True if the slow path of a routine contains a check, a search or amounts of friction.
+/// True if the slow path of a routine contains a check, or solves something.
 fn diagnoses(routine: &Routine) -> bool {
     let asks = |statement: &Instruction| {
-        matches!(
-            statement,
-            Instruction::Check(_) | Instruction::Find { .. } | Instruction::Amounts(_)
-        )
+        matches!(statement, Instruction::Check(_) | Instruction::Solve(_))
     };
     routine.stages.iter().flat_map(|stage| &stage.statements).any(asks)
 }

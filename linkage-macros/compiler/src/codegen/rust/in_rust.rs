@@ -11,9 +11,10 @@ use crate::codegen::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::check::{Check, Comparison};
-use crate::ir::graph::{Id, Node, Target};
+use crate::ir::graph::{Id, Node, RootSearch, Target};
+use crate::ir::implicit::{Contacts, Implicit};
 use crate::ir::liveness::Path;
-use crate::lower::routine::{Amounts, Condition, Instruction, Routine, StraightAmounts, Threshold};
+use crate::lower::routine::{Condition, Instruction, Routine, Solving, Threshold};
 use crate::model::mechanism::ParamKind;
 
 /// Rust, with all that a routine's statements read.
@@ -104,11 +105,10 @@ impl Dialect for InRust<'_> {
         is_checked: bool,
         to: &mut Text,
     ) {
-        let [sin, cos] = pair.map(|id| id.map_or("_".to_string(), |id| printer.local(id)));
-        to.put("let (").put(&sin).put(", ").put(&cos).put(") = ");
+        printer.names(&pair, "_", to.put("let ("));
         match is_checked {
-            true => to.put("checks_.sin_cos("),
-            false => to.put(&printer.dialect.number).put("::sin_cos("),
+            true => to.put(") = checks_.sin_cos("),
+            false => to.put(") = ").put(&printer.dialect.number).put("::sin_cos("),
         };
         printer.value(angle, to);
         to.put(");\n");
@@ -174,65 +174,11 @@ impl Dialect for InRust<'_> {
         to.put("));\n");
     }
 
-    /// One call for all of them: each stands in the equations of the others.
-    fn amounts(printer: &Printer<'_, Self>, amounts_of: &Amounts, to: &mut Text) {
-        let Amounts { joints, ids, starts, rows, straight } = amounts_of;
-        to.put("let [").list(ids, |to, id| {
-            to.put(&id.map_or("_".to_string(), |id| printer.local(id)));
-        });
-        to.put("] = checks_.");
-        match straight {
-            Some(straight) => straight_amounts(printer, straight, starts, to),
-            None => {
-                to.put("amounts([");
-            }
+    fn solve(printer: &Printer<'_, Self>, solving: &Solving, to: &mut Text) {
+        match printer.lowered.implicit(solving) {
+            Implicit::Root(sought) => printer.find(sought, solving, to),
+            Implicit::Amounts(contacts) => printer.amounts(contacts, solving, to),
         }
-        printer.values(starts, to);
-        let [amounts, system] =
-            ["Amounts", "System"].map(|item| printer.dialect.cx.paths.written(item));
-        to.put("], ").put(&amounts).put(" { system: ").put(&system).put(" { rows: [");
-        to.list(rows.chunks(rows.len() / ids.len()), |to, row| {
-            printer.values(row, to.put("["));
-            to.put("]");
-        });
-        to.put(&format!("], guides: {} }}, joints: [", amounts_of.guides()));
-        to.list(joints, |to, (joint, _)| {
-            to.put(&quoted(joint));
-        });
-        to.put("] });\n");
-    }
-
-    /// The root of an equation, found by a function of its own.
-    fn find(printer: &Printer<'_, Self>, search: usize, root: Id, size: Option<Id>, to: &mut Text) {
-        let search = &printer.dialect.cx.lowered.searches[search];
-        let size = size.map_or("_".to_string(), |size| printer.local(size));
-        let mut found = Text::default();
-        found.put("self.").put(&search.routine.name).put("([");
-        found.list(&search.given, |to, &id| printer.value(id, to)).put("]");
-        let is_checked = printer.routine.path != Path::Unchecked;
-        found.put(&match search.apart {
-            // The checks hold the seed, and are asked for it before they are told of the root.
-            Some(_) if is_checked => format!(", checks_.seed({}))", search.sought.unknown),
-            Some(_) => format!(", {}::None)", printer.dialect.cx.paths.written("Option")),
-            None => ")".to_string(),
-        });
-        let mechanism = printer.dialect.cx.mechanism;
-        let unknown = &mechanism.unknowns[search.sought.unknown as usize];
-        to.put("let (").put(&printer.local(root)).put(", ").put(&size).put(") = ");
-        if let Target::End(_) = search.sought.wanted {
-            to.append(&found);
-        } else if !is_checked {
-            to.put(&printer.dialect.cx.paths.written("open")).put("(").append(&found);
-            to.put(")");
-        } else {
-            let unit = unit(unknown.measure, Order::Position);
-            let named = [quoted(mechanism.title_of_unknown(unknown)), quoted(&unit)].join(", ");
-            let is_apart = search.apart.is_some();
-            to.put(if is_apart { "{ let found_ = " } else { "checks_.root(" }).append(&found);
-            to.put(if is_apart { "; checks_.root(found_, " } else { ", " }).put(&named);
-            to.put(if is_apart { ") }" } else { ")" });
-        }
-        to.put(";\n");
     }
 
     /// Passes the groups' clearances to the checks, and returns zeros for the result.
@@ -254,21 +200,64 @@ impl Dialect for InRust<'_> {
     }
 }
 
-/// The amounts that straight-line code has found, and what shows it.
-fn straight_amounts(
-    printer: &Printer<'_, InRust<'_>>,
-    straight: &StraightAmounts,
-    starts: &[Id],
-    to: &mut Text,
-) {
-    let StraightAmounts { positive, small, .. } = straight;
-    printer.values(&straight.found(starts), to.put("straight_amounts(["));
-    printer.values(positive, to.put("], ["));
-    to.put("], [").list(small, |to, pair| {
-        printer.values(pair, to.put("["));
-        to.put("]");
-    });
-    to.put("], [");
+impl RustPrinter<'_> {
+    /// One call for all amounts: each stands in the equations of the others.
+    fn amounts(&self, contacts: &Contacts, solving: &Solving, to: &mut Text) {
+        let [amounts, system] =
+            ["Amounts", "System"].map(|item| self.dialect.cx.paths.written(item));
+        let (rows, starts) = contacts.parts();
+        self.names(&solving.outputs, "_", to.put("let ["));
+        if contacts.are_found() {
+            self.values(
+                &solving.found(self.graph(), starts),
+                to.put("] = checks_.straight_amounts(["),
+            );
+            self.values(&contacts.positive, to.put("], ["));
+            self.lists(contacts.small.chunks(2), to.put("], ["));
+            to.put("], [");
+        } else {
+            to.put("] = checks_.amounts([");
+        }
+        self.values(starts, to);
+        to.put("], ").put(&amounts).put(" { system: ").put(&system).put(" { rows: [");
+        self.lists(rows, to);
+        to.put(&format!("], guides: {} }}, joints: [", contacts.guides()));
+        to.list(&contacts.joints, |to, (joint, _)| {
+            to.put(&quoted(joint));
+        });
+        to.put("] });\n");
+    }
+
+    /// The root of an equation, found by a function of its own.
+    fn find(&self, sought: &RootSearch, solving: &Solving, to: &mut Text) {
+        let (cx, (_, search)) = (self.dialect.cx, self.lowered.search_by(solving));
+        let mut found = Text::default();
+        self.values(&search.given, found.put("self.").put(&search.routine.name).put("(["));
+        let is_checked = self.routine.path != Path::Unchecked;
+        found.put("]").put(&match search.apart {
+            // The checks hold the seed, and are asked for it before they are told of the root.
+            Some(_) if is_checked => format!(", checks_.seed({}))", sought.unknown),
+            Some(_) => format!(", {}::None)", cx.paths.written("Option")),
+            None => ")".to_string(),
+        });
+        let unknown = &cx.mechanism.unknowns[sought.unknown as usize];
+        self.names(&solving.outputs, "_", to.put("let ("));
+        to.put(") = ");
+        if let Target::End(_) = sought.wanted {
+            to.append(&found);
+        } else if !is_checked {
+            to.put(&cx.paths.written("open")).put("(").append(&found);
+            to.put(")");
+        } else {
+            let unit = unit(unknown.measure, Order::Position);
+            let named = [quoted(cx.mechanism.title_of_unknown(unknown)), quoted(&unit)].join(", ");
+            let is_apart = search.apart.is_some();
+            to.put(if is_apart { "{ let found_ = " } else { "checks_.root(" }).append(&found);
+            to.put(if is_apart { "; checks_.root(found_, " } else { ", " }).put(&named);
+            to.put(if is_apart { ") }" } else { ")" });
+        }
+        to.put(";\n");
+    }
 }
 
 /// A string as code.

@@ -11,7 +11,8 @@ use crate::codegen::text::Text;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::graph::{Graph, Id, Node};
-use crate::lower::routine::{Amounts, Condition, Instruction, StraightAmounts, Threshold};
+use crate::ir::implicit::Implicit;
+use crate::lower::routine::{Condition, Instruction, Solving, Threshold};
 use crate::model::mechanism::Mechanism;
 
 /// JavaScript.
@@ -71,9 +72,9 @@ impl Dialect for InScript<'_> {
         is_checked: bool,
         to: &mut Text,
     ) {
-        let [sin, cos] = pair.map(|id| id.map_or(String::new(), |id| printer.local(id)));
         let of_checks = if is_checked && printer.dialect.is_fast { "c." } else { "" };
-        to.put("const [").put(&sin).put(", ").put(&cos).put("] = ").put(of_checks).put("sinCos(");
+        printer.names(&pair, "", to.put("const ["));
+        to.put("] = ").put(of_checks).put("sinCos(");
         printer.value(angle, to);
         to.put(");\n");
     }
@@ -115,43 +116,35 @@ impl Dialect for InScript<'_> {
         to.put(");\n");
     }
 
-    fn amounts(printer: &Printer<'_, Self>, amounts: &Amounts, to: &mut Text) {
-        let Amounts { joints, ids, starts, rows, straight } = amounts;
-        to.put("const [").list(ids, |to, id| {
-            to.put(&id.map_or(String::new(), |id| printer.local(id)));
-        });
-        printer.values(starts, to.put("] = amountsOf(c, ["));
-        to.put("], [").list(rows.chunks(rows.len() / ids.len()), |to, row| {
-            printer.values(row, to.put("["));
-            to.put("]");
-        });
-        let names = list(joints.iter().map(|(joint, _)| joint));
-        to.put(&format!("], {}, {names}", amounts.guides()));
-        if let Some(straight) = straight {
-            let StraightAmounts { positive, small, .. } = straight;
-            printer.values(&straight.found(starts), to.put(", ["));
-            printer.values(positive, to.put("], ["));
-            to.put("], [").list(small, |to, pair| {
-                printer.values(pair, to.put("["));
-                to.put("]");
-            });
-            to.put("]");
+    /// By a function of the script's object, which `script` prints, or by one of the page's `friction.js`.
+    fn solve(printer: &Printer<'_, Self>, solving: &Solving, to: &mut Text) {
+        printer.names(&solving.outputs, "", to.put("const ["));
+        match printer.lowered.implicit(solving) {
+            Implicit::Root(sought) => {
+                let (_, search) = printer.lowered.search_by(solving);
+                to.put("] = c.root(MACHINE.").put(&search.routine.name).put(", p, [");
+                printer.values(&search.given, to);
+                let mechanism = printer.dialect.mechanism;
+                let unknown = &mechanism.unknowns[sought.unknown as usize];
+                let unit = unit(unknown.measure, Order::Position);
+                let [name, unit] = [mechanism.title_of_unknown(unknown), &unit].map(quoted);
+                to.put("], ").put(&name).put(", ").put(&unit);
+            }
+            Implicit::Amounts(contacts) => {
+                let (rows, starts) = contacts.parts();
+                printer.values(starts, to.put("] = amountsOf(c, ["));
+                printer.lists(rows, to.put("], ["));
+                let names = list(contacts.joints.iter().map(|(joint, _)| joint));
+                to.put(&format!("], {}, {names}", contacts.guides()));
+                if contacts.are_found() {
+                    printer.values(&solving.found(printer.dialect.graph, starts), to.put(", ["));
+                    printer.values(&contacts.positive, to.put("], ["));
+                    printer.lists(contacts.small.chunks(2), to.put("], ["));
+                    to.put("]");
+                }
+            }
         }
         to.put(");\n");
-    }
-
-    /// By a function of the script's object, which `script` prints.
-    fn find(printer: &Printer<'_, Self>, search: usize, root: Id, size: Option<Id>, to: &mut Text) {
-        let (dialect, search) = (&printer.dialect, &printer.lowered.searches[search]);
-        to.put("const [").put(&printer.local(root)).put(", ");
-        to.put(&size.map_or(String::new(), |size| printer.local(size)));
-        to.put("] = c.root(MACHINE.").put(&search.routine.name).put(", p, [");
-        printer.values(&search.given, to);
-        let unknown = &dialect.mechanism.unknowns[search.sought.unknown as usize];
-        let unit = unit(unknown.measure, Order::Position);
-        let name = dialect.mechanism.title_of_unknown(unknown);
-        let [name, unit] = [name, &unit].map(quoted);
-        to.put("], ").put(&name).put(", ").put(&unit).put(");\n");
     }
 
     /// A page asks for no clearances.

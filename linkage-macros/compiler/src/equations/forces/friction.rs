@@ -136,7 +136,7 @@ impl<'k, 's> Walk<'k, 's> {
             .enumerate()
             .map(|(j, contact)| contact.row(mechanism, free[j], changes.iter().map(|by| by[j])));
         let rows: Vec<_> = rows.collect();
-        for (contact, amount) in contacts.iter().zip(solved(&rows, group.id.0)) {
+        for (contact, amount) in contacts.iter().zip(solved(&rows)) {
             self.brake(contact, amount);
         }
     }

@@ -43,7 +43,7 @@ pub(in crate::equations) struct Walk<'k, 's> {
     pub(super) rubs: Rubs<'k, 's>,
     /// The power that friction takes.
     pub(in crate::equations) losses: Sym<'s>,
-    /// Amounts of friction, by its index.
+    /// The amount of friction, by its index.
     pub(in crate::equations) amounts: HashMap<usize, Sym<'s>>,
     /// The same in the direction of the slip.
     pub(super) braking: HashMap<usize, Sym<'s>>,

@@ -1,25 +1,15 @@
-//! Amounts of friction that depend on each other, by Newton's method on any kind of number.
+//! The amounts of friction that depend on each other, by Newton's method on any kind of number.
 
 use super::Number;
 use crate::exact::Exact;
-use crate::ir::graph::Contacts;
+use crate::ir::implicit::Contacts;
 
 /// Enough for a hundred digits where friction is moderate: each step squares what is left, and ρ² is left of
 /// the first value.
 const STEPS: usize = 12;
 
-/// One amount of x = c ‖G + A x‖, given the rows c, G, A of all and their first values; or the contact at which
+/// All amounts of x = c ‖G + A x‖, given the rows c, G, A of all and their first values; or the contact at which
 /// friction may hold itself.
-pub(super) fn solved<N: Number>(contacts: &Contacts, operands: &[&N]) -> Result<N, usize> {
-    all(contacts, of_equations(contacts, operands)).map(|mut all| all.swap_remove(contacts.at))
-}
-
-/// The operands without those of the proofs, which each amount has for itself.
-pub(super) fn of_equations<'o, T>(contacts: &Contacts, operands: &'o [T]) -> &'o [T] {
-    &operands[..operands.len() - contacts.proofs.of(operands).len()]
-}
-
-/// All amounts.
 pub(super) fn all<N: Number>(contacts: &Contacts, operands: &[&N]) -> Result<Vec<N>, usize> {
     let count = contacts.joints.len();
     let (rows, starts) = operands.split_at(operands.len() - count);

@@ -50,7 +50,7 @@ pub(in crate::equations::forces) fn walked<'s, R>(
         contact.row(mechanism, with(j, free[j], start), changes)
     };
     let rows: Vec<_> = contacts.iter().enumerate().map(row).collect();
-    let amounts = solved(&rows, 0);
+    let amounts = solved(&rows);
     let load = shares.iter().zip(&amounts).fold(start, |sum, (share, x)| sum + *share * *x);
     let driven = pull::under(kinematics, load);
     let mut walk = Walk::start(&driven, rubs);

@@ -56,7 +56,7 @@ pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -
     });
     let braked: Vec<Vec<Sym<'_>>> = braked.collect();
     let rows = rows(kinematics, &still, &contacts, &coasting, &braked);
-    let amounts = solved(&rows, 0);
+    let amounts = solved(&rows);
     let second_rate = |input: usize| {
         let braked = braked.iter().zip(&amounts);
         braked.fold(coasting[input], |sum, (by, amount)| sum + by[input] * *amount)

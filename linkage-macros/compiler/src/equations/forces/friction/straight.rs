@@ -38,7 +38,7 @@ const STEPS: usize = 3;
 /// The most amounts that are solved here: those of a group's own joints.
 pub(super) const MOST: usize = 3;
 
-/// Amounts that straight-line code finds, and what shows that they are the solution.
+/// The amounts that straight-line code finds, and what shows that they are the solution.
 pub(super) struct Straight<'s> {
     pub amounts: Vec<Sym<'s>>,
     /// Above zero if there is exactly one solution.

@@ -1,4 +1,4 @@
-//! Amounts of friction that depend on each other, as a condition on where steps to them begin.
+//! Amounts of friction that depend on each other, as the solution of their equations.
 //!
 //! ```text
 //! xⱼ = Φⱼ(x) = cⱼ ‖Gⱼ + Σₖ Aⱼₖ xₖ‖
@@ -10,29 +10,31 @@
 use super::amount::Row;
 use super::straight::{self, Straight, straight};
 use crate::equations::symbol::Sym;
-use crate::ir::graph::{Check, Contacts, Proofs};
+use crate::ir::graph::Node;
+use crate::ir::implicit::{Contacts, Implicit};
 
 /// The amounts, provided that friction does not hold itself.
-pub(super) fn solved<'s>(rows: &[Row<'s>], group: u32) -> Vec<Sym<'s>> {
+pub(super) fn solved<'s>(rows: &[Row<'s>]) -> Vec<Sym<'s>> {
     let starts: Vec<_> = rows.iter().map(|row| row.share * row.size()).collect();
     let depends = |row: &Row<'s>| row.changes.iter().flatten().any(|change| !change.is_zero());
     if !rows.iter().any(depends) {
         return starts;
     }
-    let joints: Vec<_> = rows.iter().map(|row| (row.joint.clone(), row.is_guide)).collect();
-    let mut operands: Vec<_> =
-        rows.iter().flat_map(Row::operands).chain(starts.iter().copied()).collect();
-    let (mut found, mut proofs) = (starts, Proofs::default());
+    let joints = rows.iter().map(|row| (row.joint.clone(), row.is_guide)).collect();
+    let equations = rows.iter().flat_map(Row::operands).chain(starts.iter().copied());
+    let equations = equations.map(|value| value.id).collect();
+    let (mut found, [mut positive, mut small]) = (starts, [Vec::new(), Vec::new()]);
     if rows.len() <= straight::MOST {
-        let Straight { amounts, positive, small } = straight(rows);
-        (found, proofs) = (amounts, Proofs { positive: positive.len(), small: small.len() });
-        operands.extend(positive.into_iter().chain(small.into_iter().flatten()));
+        let Straight { amounts, positive: above_zero, small: pairs } = straight(rows);
+        positive.extend(above_zero.into_iter().map(|value| value.id));
+        small.extend(pairs.into_iter().flatten().map(|value| value.id));
+        found = amounts;
     }
-    let provided = found.iter().enumerate().map(|(at, found)| {
-        let contacts = Contacts { at, joints: joints.clone(), proofs };
-        found.guarded_by(Check::Amount(contacts), group, &operands)
-    });
-    provided.collect()
+    let builder = rows[0].share.builder();
+    let contacts = Contacts { joints, equations, positive, small };
+    let solve = builder.implicit(Implicit::Amounts(contacts));
+    let solved = found.iter().zip(0..);
+    solved.map(|(on, at)| builder.node(Node::Solved(solve, at, Some(on.id)))).collect()
 }
 
 /// The same of rows that are given, each c, G and A as the run-time crate lays it out.
@@ -49,5 +51,5 @@ pub(in crate::equations) fn amounts_of<'s>(
         joint: String::new(),
     };
     let rows: Vec<_> = rows.iter().zip(are_guides).map(row).collect();
-    solved(&rows, 0)
+    solved(&rows)
 }

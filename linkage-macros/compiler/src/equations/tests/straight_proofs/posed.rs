@@ -1,7 +1,8 @@
 //! Equations of amounts of friction in a pose, in either precision, and what straight-line code has found.
 
-use crate::ir::graph::{Check, Contacts, Node, Proofs};
-use crate::ir::interpret::{Number, ProgramValues, amount, interpret};
+use crate::ir::graph::{Id, Node};
+use crate::ir::implicit::{Contacts, Implicit};
+use crate::ir::interpret::{Number, ProgramValues, amounts, interpret};
 use crate::ir::liveness::{Path, live};
 use crate::ir::program::Program;
 use crate::oracle::Digits;
@@ -58,27 +59,24 @@ impl<'p> Case<'p> {
         let (graph, mut found, mut first) = (&program.graph, Vec::new(), None);
         let live = live(graph, sinks, Path::Slow);
         for (id, node) in graph.iter().filter(|(id, _)| live[id.index()]) {
-            let Node::Guard(value, guard) = node else { continue };
-            let Check::Amount(contacts) = &graph.condition(guard).check else { continue };
-            assert_eq!(contacts.at, found.len(), "{id:?}: one group has friction");
+            let Node::Solved(solve, at, Some(value)) = node else { continue };
+            let Implicit::Amounts(contacts) = graph.implicit(solve) else { continue };
+            assert_eq!(at as usize, found.len(), "{id:?}: one group has friction");
             found.push(values[value.index()].widened());
-            first.get_or_insert((contacts, graph.condition(guard)));
+            first.get_or_insert(contacts);
         }
-        let (contacts, guard) = first.expect("the group has friction");
-        let operands: Vec<f64> =
-            guard.operands.iter().map(|id| values[id.index()].widened()).collect();
-        let count = contacts.joints.len();
-        let proofs = contacts.proofs.of(&operands);
-        let (positive, small) = proofs.split_at(contacts.proofs.positive);
-        let (rows, starts) =
-            operands[..operands.len() - proofs.len()].split_at(count * (3 + 2 * count));
+        let contacts = first.expect("the group has friction");
+        let all = |ids: &[Id]| -> Vec<f64> {
+            ids.iter().map(|id| values[id.index()].widened()).collect()
+        };
+        let (rows, starts) = contacts.parts();
         let case = Self {
             contacts,
-            rows: rows.chunks(3 + 2 * count).map(<[f64]>::to_vec).collect(),
-            starts: starts.to_vec(),
+            rows: rows.into_iter().map(all).collect(),
+            starts: all(starts),
             found,
-            positive: positive.to_vec(),
-            small: small.chunks(2).map(|pair| [pair[0], pair[1]]).collect(),
+            positive: all(&contacts.positive),
+            small: all(&contacts.small).chunks(2).map(|pair| [pair[0], pair[1]]).collect(),
         };
         case.starts.iter().all(|start| start.is_finite()).then_some(case)
     }
@@ -162,11 +160,10 @@ impl<'p> Case<'p> {
 
     /// The distance of an amount from the solution, by Newton's method in a hundred digits.
     pub(super) fn apart(&self, at: usize) -> f64 {
-        let contacts = Contacts { at, proofs: Proofs::default(), ..self.contacts.clone() };
         let (rows, starts) = (self.rows_in_digits(), digits(&self.starts));
         let operands: Vec<&Digits> = rows.iter().flatten().chain(&starts).collect();
-        let solution = amount(&contacts, &operands).expect("there is one solution");
-        solution.sub(&Digits::float(self.found[at])).to_f64().abs()
+        let solution = amounts(self.contacts, &operands).expect("there is one solution");
+        solution[at].sub(&Digits::float(self.found[at])).to_f64().abs()
     }
 
     /// True where the fast path takes the amounts.
