@@ -5,11 +5,11 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use super::acting::{Effort, RequestedEffort};
+use super::given;
 use super::link_efforts::{self, Efforts};
 use super::mechanism::{InputId, LinkId, OutputKind, SpringId};
 use super::names::{Entity, Kind};
 use super::scope::Scope;
-use super::statements::output;
 use super::statements::output::MEMBERS;
 use super::statements::spring;
 use super::statements::spring::parts;
@@ -111,7 +111,7 @@ pub(super) fn output_of_the_whole(scope: &mut Scope<'_>, docs: &[Attribute], nam
             ask(scope, docs, name, name, Effort::Shaking);
         }
         "centre_of_mass" if has_mass || a_force_may_be_unread(scope) => {
-            output::give(scope, name.span(), name.clone(), docs, OutputKind::CentreOfMass);
+            given::give(scope, name.span(), name.clone(), docs, OutputKind::CentreOfMass);
         }
         "losses" => {
             if effort_formulas::something_rubs(scope, name).is_some() {

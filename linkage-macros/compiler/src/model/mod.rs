@@ -30,6 +30,7 @@ mod facts;
 mod fields;
 mod findings;
 mod folding;
+mod given;
 mod ids;
 mod incidence;
 mod jointed;

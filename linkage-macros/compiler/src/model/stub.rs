@@ -9,6 +9,7 @@ mod result_fields;
 mod tests;
 
 use super::declared;
+use super::given;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
@@ -121,7 +122,7 @@ fn every_name_is_given(scope: &mut Scope<'_>, tree: &Declaration, with_ground: b
         let output = match scope.names.made(name) {
             Some(Entity::Point(id)) if is_in_ground(id) && !with_ground => None,
             Some(it @ (Entity::Point(_) | Entity::Link(_) | Entity::Unknown(_))) => {
-                output::whole(scope, it)
+                given::whole(scope, it)
             }
             None if kind == Kind::Unknown => {
                 Some(DeclaredOutput { field: name.clone(), docs: Vec::new(), kind: number() })

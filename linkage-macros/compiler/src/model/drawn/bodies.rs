@@ -48,18 +48,18 @@ pub(super) struct GuideLine<'t> {
 }
 
 /// All of a drawing by its names.
-pub(super) struct Bodies<'t> {
-    pub tree: &'t Declaration,
-    pub pins: Vec<PinPlace<'t>>,
+pub(in crate::model) struct Bodies<'t> {
+    pub(super) tree: &'t Declaration,
+    pub(super) pins: Vec<PinPlace<'t>>,
     /// Body `i + 1` is link `i`.
-    pub links: Vec<LinkOutline<'t>>,
-    pub guides: Vec<GuideLine<'t>>,
-    pub drives: Vec<(usize, &'t DriveStatement)>,
+    pub(super) links: Vec<LinkOutline<'t>>,
+    pub(super) guides: Vec<GuideLine<'t>>,
+    pub(super) drives: Vec<(usize, &'t DriveStatement)>,
     /// The frames that links are written in.
-    pub frames: Vec<DrawnFrame>,
-    pub machine: Machine,
+    pub(super) frames: Vec<DrawnFrame>,
+    pub(super) machine: Machine,
     /// The motions of the bodies from the drawing to the pose in which lengths are as declared.
-    pub displacements: Vec<Displacement>,
+    pub(super) displacements: Vec<Displacement>,
 }
 
 impl<'t> Bodies<'t> {

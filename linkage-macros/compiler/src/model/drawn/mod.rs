@@ -3,7 +3,7 @@
 //!
 //! [`values`] knows the numbers of the drawing, [`bodies`] its names, [`frames`] the frames of its links. The
 //! room `chain` cuts the machine that they make; [`writer`] writes each step as a statement of the
-//! language, [`rewritten`] what else names a link, and [`sorted`] puts all of them in solving order. What
+//! language, [`frame_shifts`] what else names a link, and [`sorted`] puts all of them in solving order. What
 //! comes out is resolved like any declaration, so that there is one meaning of everything. A group may have a slide or a
 //! drive the other way round, or measure it from elsewhere: [`slides`] says so, and [`joints`] tells the mechanism.
 
@@ -15,6 +15,7 @@ mod bodies;
 mod ends;
 mod figures;
 mod followed;
+mod frame_shifts;
 mod frames;
 mod framing;
 mod free_names;
@@ -29,8 +30,8 @@ pub(super) mod on_links;
 mod placed;
 pub(super) mod printed;
 mod rails;
+mod read_guides;
 mod reader;
-mod rewritten;
 mod slides;
 mod sorted;
 mod values;
@@ -47,8 +48,9 @@ use crate::syntax::tree::{
 };
 
 use super::mechanism::{Mechanism, References};
-use bodies::Bodies;
+pub(super) use bodies::Bodies;
 use ends::RodEnd;
+pub(super) use frame_shifts::FrameShifts;
 pub(super) use joints::DrawnLinks;
 use reader::Reader;
 use values::Measured;

@@ -1,19 +1,10 @@
 //! The declaration of the groups as text, for the documentation of the solver.
 
+use proc_macro2::Ident;
 use syn::Attribute;
 
-use crate::syntax::tree::{
-    Action, CrateStatement, DriveByStatement, ExportStatement, ForceBetweenStatement,
-    ForceStatement, FrictionSite, FrictionStatement, GravityStatement, GroundStatement,
-    GuideStatement, InertiaStatement, InputStatement, LetStatement, LoadStatement, MassSite,
-    MassStatement, NumericsStatement, OutputStatement, ParamStatement, PinStatement,
-    PointStatement, SpringStatement, StopStatement, TorqueBetweenStatement, TorqueStatement,
-    UnknownStatement,
-};
-use crate::syntax::tree::{
-    BinaryOp, Course, Declaration, Expr, ExprKind, GroupFieldValue, GroupStatement, GuideAnchor,
-    PointPlace, Statement, StatementKind,
-};
+use crate::model::statements::rules;
+use crate::syntax::tree::{BinaryOp, Declaration, Expr, ExprKind, GroupFieldValue, GroupStatement};
 
 use super::writer::Translated;
 use super::written::{Sought, Stretch};
@@ -31,7 +22,7 @@ pub(super) fn documentation(tree: &Declaration, translated: &Translated) -> Vec<
         format!("     pub struct {} {{", tree.name),
     ];
     let statements = translated.statements.iter();
-    lines.extend(statements.map(|statement| format!("         {}", written(statement))));
+    lines.extend(statements.map(|statement| format!("         {}", rules(statement).written())));
     lines.extend(["     }", " }", " ```"].map(String::from));
     for Sought { unknown, traced, stretches } in &translated.searches {
         let goes = stretches.iter().map(goes).collect::<Vec<_>>().join(", and while ");
@@ -59,110 +50,34 @@ fn goes(Stretch { input, ends, is_angle }: &Stretch) -> String {
     format!("{who} goes from {from} to {to}")
 }
 
-/// A statement as it is declared.
-pub(super) fn written(statement: &Statement) -> String {
-    let named = |names: &[proc_macro2::Ident]| {
-        names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
-    };
-    let kind_of = |kind: &Option<proc_macro2::Ident>| {
-        kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default()
-    };
-    match &statement.kind {
-        StatementKind::Input(InputStatement { names, kind }) => {
-            format!("input {}{};", named(names), kind_of(kind))
-        }
-        StatementKind::Load(LoadStatement { names, kind }) => {
-            format!("load {}{};", named(names), kind_of(kind))
-        }
-        StatementKind::DriveBy(DriveByStatement { input, load }) => {
-            format!("drive {input} by {load};")
-        }
-        StatementKind::Param(ParamStatement { name, kind, default }) => {
-            format!("param {name}{} = {};", kind_of(kind), text(default))
-        }
-        StatementKind::Let(LetStatement { name, value }) => {
-            format!("let {name} = {};", text(value))
-        }
-        StatementKind::Unknown(UnknownStatement { name, kind, between }) => {
-            let ends = between.as_ref().map(pair).unwrap_or_default();
-            format!("unknown {name}{} between {ends};", kind_of(kind))
-        }
-        StatementKind::Solve(solve) => {
-            let [left, right] =
-                solve.equation.as_ref().map(|sides| sides.each_ref().map(text)).unwrap_or_default();
-            let mode = solve.mode.iter().map(|mode| format!(", mode: {mode}"));
-            let near = solve.near.iter().map(|near| format!(", near: {}", text(near)));
-            let fields: String = mode.chain(near).collect();
-            format!("solve {} {{ {left} = {right}{fields} }}", solve.unknown)
-        }
-        StatementKind::Ground(GroundStatement { points })
-        | StatementKind::Pin(PinStatement { points }) => {
-            let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
-            format!("ground {};", points.collect::<Vec<_>>().join(", "))
-        }
-        StatementKind::Guide(GuideStatement { name, on, through, course }) => {
-            format!("guide {name}{} {};", on_link(on.as_ref()), line(through, course))
-        }
-        StatementKind::Point(PointStatement { name, on, place }) => {
-            format!("point {name}{} {};", on_link(on.as_ref()), spot(place))
-        }
-        StatementKind::Group(group) => written_group(group),
-        StatementKind::Action(action) => written_action(action),
-        StatementKind::Output(OutputStatement { items }) => {
-            let items = items.iter().map(|item| match &item.name {
-                Some(name) => format!("{name} = {}", text(&item.value)),
-                None => text(&item.value),
-            });
-            format!("output {};", items.collect::<Vec<_>>().join(", "))
-        }
-        StatementKind::Numerics(NumericsStatement { mode }) => format!("numerics {mode};"),
-        StatementKind::Export(ExportStatement { language }) => format!("export {language};"),
-        StatementKind::Crate(CrateStatement { path }) => {
-            format!("crate = {};", quote::quote!(#path).to_string().replace(' ', ""))
-        }
-        StatementKind::Link(_) | StatementKind::Drive(_) => String::new(),
-    }
+/// `A, B`
+pub(in crate::model) fn names(names: &[Ident]) -> String {
+    names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
-fn on_link(on: Option<&proc_macro2::Ident>) -> String {
-    on.map(|on| format!(" on {on}")).unwrap_or_default()
+/// `: angle`
+pub(in crate::model) fn kind(kind: &Option<Ident>) -> String {
+    kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default()
 }
 
-fn line(through: &GuideAnchor, course: &Course) -> String {
-    let through = match through {
-        GuideAnchor::At(place) => pair(place),
-        GuideAnchor::Point(point) => point.to_string(),
-        GuideAnchor::Mistake => String::new(),
-    };
-    match course {
-        Course::Along(angle) => format!("through {through} along {}", text(angle)),
-        Course::Towards(point) => format!("through {through} towards {point}"),
-        Course::Mistake => String::new(),
-    }
+/// ` on BC`
+pub(in crate::model) fn on(on: &Option<Ident>) -> String {
+    on.as_ref().map(|on| format!(" on {on}")).unwrap_or_default()
 }
 
-fn spot(place: &PointPlace) -> String {
-    match place {
-        PointPlace::Cartesian(place) => format!("at {}", pair(place)),
-        PointPlace::Polar(place) => format!("at polar {}", pair(place)),
-        PointPlace::Distances(distances, side) => {
-            format!("at distances {} {side}", pair(distances))
-        }
-        PointPlace::Mistake => String::new(),
-    }
+/// ` shock`
+pub(in crate::model) fn own_name(name: &Option<Ident>) -> String {
+    name.as_ref().map(|name| format!(" {name}")).unwrap_or_default()
 }
 
-fn written_group(group: &GroupStatement) -> String {
-    let leg = |leg: &crate::syntax::tree::Leg| match &leg.joint {
-        Some(joint) => format!("{}({joint})", leg.link),
-        None => leg.link.to_string(),
-    };
-    let legs: Vec<_> = group.legs.iter().map(leg).collect();
-    let pin = group.pin.iter().map(|pin| format!(" -> {pin}")).collect::<String>();
-    format!("{} {}{pin} {}", group.keyword, legs.join(", "), braces(group))
+/// `ground A(0, 0);`
+pub(in crate::model) fn ground(points: &[(Ident, [Expr; 2])]) -> String {
+    let points = points.iter().map(|(name, at)| format!("{name}{}", pair(at)));
+    format!("ground {};", points.collect::<Vec<_>>().join(", "))
 }
 
-fn braces(group: &GroupStatement) -> String {
+/// `{ length: 1m, angle: theta }`
+pub(in crate::model) fn braces(group: &GroupStatement) -> String {
     let fields = group.fields.iter().map(|field| match &field.value {
         GroupFieldValue::One(value) => format!("{}: {}", field.name, text(value)),
         GroupFieldValue::Pair(values) => format!("{}: {}", field.name, pair(values)),
@@ -173,61 +88,8 @@ fn braces(group: &GroupStatement) -> String {
     }
 }
 
-fn written_action(action: &Action) -> String {
-    match action {
-        Action::Gravity(GravityStatement { value, .. }) => format!("gravity {};", pair(value)),
-        Action::Mass(MassStatement { value, on, place, inertia }) => {
-            let place = match place {
-                MassSite::Here => String::new(),
-                MassSite::At(place) => format!(" at {}", pair(place)),
-                MassSite::Point(point) => format!(" at {point}"),
-                MassSite::Uniform(_) => " uniform".to_string(),
-            };
-            let inertia = inertia.iter().map(|inertia| format!(" inertia {}", text(inertia)));
-            format!("mass {} on {on}{place}{};", text(value), inertia.collect::<String>())
-        }
-        Action::Inertia(InertiaStatement { value, on }) => {
-            format!("inertia {} on {on};", text(value))
-        }
-        Action::Force(ForceStatement { value, axes, on }) => {
-            let axes = axes.iter().map(|axes| format!(" in {axes}")).collect::<String>();
-            format!("force {}{axes} on {on};", pair(value))
-        }
-        Action::ForceBetween(ForceBetweenStatement { value, points: [a, b] }) => {
-            format!("force {} between {a} and {b};", text(value))
-        }
-        Action::Torque(TorqueStatement { value, on }) => format!("torque {} on {on};", text(value)),
-        Action::TorqueBetween(TorqueBetweenStatement { value, bodies: [a, b] }) => {
-            format!("torque {} between {a} and {b};", text(value))
-        }
-        Action::Spring(SpringStatement { name, ends: [a, b], fields }) => {
-            let name = name.iter().map(|name| format!(" {name}")).collect::<String>();
-            format!("spring{name} between {a} and {b} {}", braces(fields))
-        }
-        Action::Friction(friction) => written_friction(friction),
-        Action::Stop(StopStatement { name, of, ends, fields }) => {
-            let name = name.iter().map(|name| format!(" {name}")).collect::<String>();
-            format!("stop{name} {} between {} {}", text(of), pair(ends), braces(fields))
-        }
-    }
-}
-
-fn written_friction(friction: &FrictionStatement) -> String {
-    let site = match &friction.site {
-        FrictionSite::Pin(pin) => format!("at {pin}"),
-        FrictionSite::LinkAtPin(link, pin) => format!("on {link} at {pin}"),
-        FrictionSite::Slider(link) => format!("on {link}"),
-        FrictionSite::Between([a, b], pin) => format!("between {a} and {b} at {pin}"),
-    };
-    let FrictionStatement { coefficient, radius, length, smooth, .. } = friction;
-    let parts = [("radius", radius), ("length", length), ("smooth", smooth)];
-    let parts = parts
-        .iter()
-        .filter_map(|(word, part)| part.as_ref().map(|part| format!(" {word} {}", text(part))));
-    format!("friction {} {site}{};", text(coefficient), parts.collect::<String>())
-}
-
-fn pair([first, second]: &[Expr; 2]) -> String {
+/// `(x, y)`
+pub(in crate::model) fn pair([first, second]: &[Expr; 2]) -> String {
     format!("({}, {})", text(first), text(second))
 }
 

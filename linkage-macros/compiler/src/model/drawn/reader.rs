@@ -8,14 +8,12 @@ use crate::chain::machine::GROUND;
 use crate::diagnostics::nearest;
 use crate::model::names::{Kind, Names, declared_by};
 use crate::syntax::tree::{
-    Course, Declaration, DrawnLink, DriveStatement, Expr, GroundStatement, GroupFieldValue,
-    GuideAnchor, GuideStatement, LinkStatement, PinStatement, PointStatement, Statement,
-    StatementKind,
+    Declaration, DrawnLink, DriveStatement, Expr, GroundStatement, GroupFieldValue, LinkStatement,
+    PinStatement, PointStatement, Statement, StatementKind,
 };
 
 use super::bodies::{GuideLine, LinkOutline, PinPlace};
 use super::figures::Figure;
-use super::frames::DrawnLine;
 use super::values::Measured;
 
 /// Reads the names of a drawing one after the other.
@@ -31,7 +29,7 @@ pub(super) struct Reader<'t, 'v, 'd> {
 }
 
 /// The links of a statement with what its braces say.
-fn drawn_links(statement: &Statement) -> &[DrawnLink] {
+pub(super) fn drawn_links(statement: &Statement) -> &[DrawnLink] {
     match &statement.kind {
         StatementKind::Link(LinkStatement { links, .. }) => links,
         _ => &[],
@@ -337,68 +335,5 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         let reason = "links are declared with the pins through them: `link BC(B, C);`";
         self.report_missing(name, message, reason.to_string());
         None
-    }
-
-    fn read_guides(&mut self) {
-        for statement in &self.tree.statements {
-            let StatementKind::Guide(GuideStatement { name, on, through, course }) =
-                &statement.kind
-            else {
-                continue;
-            };
-            let body = match on {
-                Some(on) => self.body(on),
-                None => Some(GROUND),
-            };
-            let along = match course {
-                Course::Along(angle) => Some(angle),
-                Course::Towards(_) | Course::Mistake => None,
-            };
-            let through = match through {
-                GuideAnchor::Point(point) => self.pin_of.get(&point.to_string()).copied(),
-                GuideAnchor::At(_) | GuideAnchor::Mistake => None,
-            };
-            let Some(on) = body else { continue };
-            self.guide_of.insert(name.to_string(), self.guides.len());
-            self.guides.push(GuideLine {
-                name,
-                on,
-                along,
-                through,
-                line: DrawnLine::unknown(self.values.pen.zero()),
-            });
-        }
-    }
-
-    /// The guides that links slide on.
-    fn guides_of_links(&mut self) {
-        let tree = self.tree;
-        for (index, link) in tree.statements.iter().flat_map(drawn_links).enumerate() {
-            for guide in &link.on {
-                match self.guide_of.get(&guide.to_string()).copied() {
-                    Some(guide) if self.guides[guide].on == index + 1 => {
-                        let message = format!("`{}` slides on a guide of itself", link.name);
-                        let guide = &link.on[0];
-                        self.report(guide, message, "a guide is on another body".to_string());
-                    }
-                    Some(guide) => self.links[index].on.push(guide),
-                    None if self.link_of.contains_key(&guide.to_string()) => {
-                        let message = format!("`{guide}` is a link; a link slides on a guide");
-                        let reason = format!(
-                            "declare the slot, `guide slot on {guide} through P towards Q;`, and write `on slot`"
-                        );
-                        self.report(guide, message, reason);
-                    }
-                    None => {
-                        let message = format!("no guide named `{guide}`");
-                        let reason = format!(
-                            "declare it: `guide {guide} through A along 0deg;`, or `guide {guide} \
-                             on LINK …` for a slot"
-                        );
-                        self.report(guide, message, reason);
-                    }
-                }
-            }
-        }
     }
 }

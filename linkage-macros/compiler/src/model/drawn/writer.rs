@@ -11,12 +11,12 @@ use super::bars::DrawnBar;
 use super::bodies::Bodies;
 use super::ends::{self, RodEnd};
 use super::figures::{Figure, Pen};
+use super::frame_shifts::FrameShifts;
 use super::frames::{DrawnFrame, Origin};
 use super::free_names::FreeNames;
 use super::group_statement::group_of;
 use super::is_point_of;
 use super::joints::DrawnLinks;
-use super::rewritten::Turns;
 use super::sorted;
 use super::written::{Sought, Written};
 
@@ -44,7 +44,7 @@ pub(super) struct Writer<'b, 't> {
     /// Those of them whose place is not known before the link's.
     pub(super) misplaced: Vec<Ident>,
     /// The frames of links that groups have given other ones than they are written in.
-    pub(super) turns: Turns,
+    pub(super) turns: FrameShifts,
     /// The frames that groups have given links so far.
     pub(super) own: Vec<Option<DrawnFrame>>,
     pub(super) written: Vec<Written>,
@@ -69,7 +69,7 @@ impl<'b, 't> Writer<'b, 't> {
         for body in (0..machine.bodies.len()).filter(|&body| machine.is_given(body)) {
             machine.bodies[body].made().for_each(|pin| made[pin] = true);
         }
-        let turns = Turns::new(pen);
+        let turns = FrameShifts::new(pen);
         let own = vec![None; bodies.machine.bodies.len()];
         Self {
             bodies,

@@ -5,6 +5,7 @@ use syn::Attribute;
 
 use crate::syntax::tree::{DriveStatement, Expr, GroupStatement, LinkStatement, PinStatement};
 
+use crate::model::drawn::printed;
 use crate::model::mechanism::PartOf;
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
@@ -30,6 +31,11 @@ impl Rules for PinStatement {
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let by_itself = stub::group_by_itself(scope, "pin", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
+    }
+
+    fn written(&self) -> String {
+        // A pin of a group that is declared by hand.
+        printed::ground(&self.points)
     }
 }
 
@@ -57,6 +63,10 @@ impl Rules for LinkStatement {
         let by_itself = stub::group_by_itself(scope, "link", name);
         Some(Entity::Link(declared::new_link(scope, docs, name, by_itself, slides)))
     }
+
+    fn written(&self) -> String {
+        String::new()
+    }
 }
 
 impl Rules for DriveStatement {
@@ -73,4 +83,8 @@ impl Rules for DriveStatement {
     }
 
     fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {}
+
+    fn written(&self) -> String {
+        String::new()
+    }
 }

@@ -15,8 +15,7 @@ use crate::model::mechanism::{
     Drive, Group, GuideDirection, Mechanism, Operator, Placement, Scalar, Slideway, Step, Through,
 };
 use crate::model::names::{Entity, Kind};
-use crate::model::reads::Allowed;
-use crate::model::reads::Reads;
+use crate::model::reads::{Allowed, Reads};
 use crate::model::scope::Scope;
 use crate::model::{dynamics_outputs, numbers, uses};
 
@@ -33,6 +32,10 @@ impl Rules for DriveByStatement {
 
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
         drive_by(scope, &self.input, &self.load);
+    }
+
+    fn written(&self) -> String {
+        format!("drive {} by {};", self.input, self.load)
     }
 }
 

@@ -6,6 +6,8 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, ForceBetweenStatement, ForceStatement};
 
 use crate::model::acting::{Axes, Force};
+use crate::model::drawn::printed::{pair, text};
+use crate::model::drawn::{Bodies, FrameShifts};
 use crate::model::mechanism::{Body, Carrier, Dimension, PointId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
@@ -30,6 +32,18 @@ impl Rules for ForceStatement {
     fn acts(&self) -> bool {
         true
     }
+
+    fn written(&self) -> String {
+        let axes = self.axes.iter().map(|axes| format!(" in {axes}")).collect::<String>();
+        format!("force {}{axes} on {};", pair(&self.value), self.on)
+    }
+
+    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+        self.value = match &self.axes {
+            Some(axes) => shifts.components(axes, &self.value),
+            None => shifts.pair(&self.value),
+        };
+    }
 }
 
 impl Rules for ForceBetweenStatement {
@@ -48,6 +62,15 @@ impl Rules for ForceBetweenStatement {
 
     fn acts(&self) -> bool {
         true
+    }
+
+    fn written(&self) -> String {
+        let [a, b] = &self.points;
+        format!("force {} between {a} and {b};", text(&self.value))
+    }
+
+    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        vec![&mut self.value]
     }
 }
 

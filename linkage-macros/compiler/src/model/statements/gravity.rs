@@ -5,6 +5,7 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Expr, GravityStatement};
 
+use crate::model::drawn::printed::pair;
 use crate::model::mechanism::Dimension;
 use crate::model::numbers;
 use crate::model::scope::Scope;
@@ -18,6 +19,14 @@ impl Rules for GravityStatement {
 
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
         gravity(scope, self.at, &self.value);
+    }
+
+    fn written(&self) -> String {
+        format!("gravity {};", pair(&self.value))
+    }
+
+    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        self.value.iter_mut().collect()
     }
 }
 

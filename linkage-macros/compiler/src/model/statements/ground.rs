@@ -6,6 +6,7 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, GroundStatement};
 
 use crate::model::assembly::constants;
+use crate::model::drawn::printed;
 use crate::model::mechanism::{Carrier, PartOf, Step};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
@@ -33,6 +34,10 @@ impl Rules for GroundStatement {
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         stub::group_by_itself(scope, "point", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Ground)))
+    }
+
+    fn written(&self) -> String {
+        printed::ground(&self.points)
     }
 }
 

@@ -8,7 +8,8 @@ use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
 use crate::syntax::tree::{self, Expr};
 use crate::syntax::words::built_by;
 
-use crate::model::drawn::joints;
+use crate::model::drawn::printed::braces;
+use crate::model::drawn::{Bodies, FrameShifts, joints};
 use crate::model::fields::{self, Fields};
 use crate::model::mechanism::{GroupId, GroupName, GuideId, LinkId, PartOf, PointId, Step};
 use crate::model::names::{Entity, Kind};
@@ -101,6 +102,20 @@ impl Rules for tree::GroupStatement {
         let anatomy = GroupSpec::of(&self.keyword.to_string());
         let slides = anatomy.is_none_or(|anatomy| anatomy.slides().get(place) == Some(&true));
         Some(Entity::Link(declared::new_link(scope, docs, name, made_by, slides)))
+    }
+
+    fn written(&self) -> String {
+        let leg = |leg: &tree::Leg| match &leg.joint {
+            Some(joint) => format!("{}({joint})", leg.link),
+            None => leg.link.to_string(),
+        };
+        let legs: Vec<_> = self.legs.iter().map(leg).collect();
+        let pin = self.pin.iter().map(|pin| format!(" -> {pin}")).collect::<String>();
+        format!("{} {}{pin} {}", self.keyword, legs.join(", "), braces(self))
+    }
+
+    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+        shifts.group(self);
     }
 }
 

@@ -8,6 +8,8 @@ use crate::reach::line::BodyLine;
 use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
 use crate::model::assembly::constants;
+use crate::model::drawn::printed::{self, pair, text};
+use crate::model::drawn::{Bodies, FrameShifts};
 use crate::model::expressions::bare_name;
 use crate::model::facts::GuideFacts;
 use crate::model::mechanism::{
@@ -60,6 +62,33 @@ impl Rules for GuideStatement {
         let facts = GuideFacts { moves: false, carrier, line: None, angle: None };
         scope.facts.guides.push(facts);
         Some(Entity::Guide(GuideId(guides.len() as u32 - 1)))
+    }
+
+    fn written(&self) -> String {
+        let through = match &self.through {
+            GuideAnchor::At(place) => pair(place),
+            GuideAnchor::Point(point) => point.to_string(),
+            GuideAnchor::Mistake => String::new(),
+        };
+        let course = match &self.course {
+            Course::Along(angle) => format!("along {}", text(angle)),
+            Course::Towards(point) => format!("towards {point}"),
+            Course::Mistake => String::new(),
+        };
+        format!("guide {}{} through {through} {course};", self.name, printed::on(&self.on))
+    }
+
+    fn shift(&mut self, shifts: &FrameShifts, bodies: &Bodies<'_>) {
+        if let Some(place) = shifts.through(bodies, self) {
+            self.through = GuideAnchor::At(place);
+        }
+        if let Course::Along(angle) = &mut self.course {
+            let turned = shifts.expr(angle);
+            *angle = match &self.on {
+                Some(on) => shifts.added(on, turned),
+                None => turned,
+            };
+        }
     }
 }
 

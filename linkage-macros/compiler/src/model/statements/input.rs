@@ -8,6 +8,7 @@ use crate::syntax::tree::{
     Declaration, Expr, InputStatement, LetStatement, Statement, StatementKind,
 };
 
+use crate::model::drawn::printed;
 use crate::model::kinds::{KINDS, quantity_kind};
 use crate::model::mechanism::{Dimension, Input, InputId};
 use crate::model::names::{Entity, Kind};
@@ -35,6 +36,10 @@ impl Rules for InputStatement {
         let inputs = &mut scope.mechanism.inputs;
         inputs.push(Input { name, docs, dimension: Dimension::NUMBER });
         Some(Entity::Input(InputId(inputs.len() as u32 - 1)))
+    }
+
+    fn written(&self) -> String {
+        format!("input {}{};", printed::names(&self.names), printed::kind(&self.kind))
     }
 }
 

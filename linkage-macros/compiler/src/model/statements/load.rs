@@ -7,6 +7,7 @@ use crate::diagnostics::nearest;
 use crate::syntax::tree::LoadStatement;
 
 use crate::model::acting::Load;
+use crate::model::drawn::printed;
 use crate::model::mechanism::{Dimension, LoadId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
@@ -33,6 +34,10 @@ impl Rules for LoadStatement {
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let (name, docs) = (name.clone(), docs.to_vec());
         Some(new_load(scope, Load { name, docs, dimension: Dimension::NUMBER }))
+    }
+
+    fn written(&self) -> String {
+        format!("load {}{};", printed::names(&self.names), printed::kind(&self.kind))
     }
 }
 

@@ -7,7 +7,8 @@ use crate::diagnostics::Extent;
 use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassStatement};
 
 use crate::model::acting::{Magnitude, Mass, MassPlace};
-use crate::model::drawn::on_links;
+use crate::model::drawn::printed::{pair, text};
+use crate::model::drawn::{Bodies, FrameShifts, on_links};
 use crate::model::folding::shown;
 use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
 use crate::model::names::Kind;
@@ -40,6 +41,26 @@ impl Rules for MassStatement {
     fn acts(&self) -> bool {
         true
     }
+
+    fn written(&self) -> String {
+        let place = match &self.place {
+            Written::Here => String::new(),
+            Written::At(place) => format!(" at {}", pair(place)),
+            Written::Point(point) => format!(" at {point}"),
+            Written::Uniform(_) => " uniform".to_string(),
+        };
+        let inertia = self.inertia.iter().map(|inertia| format!(" inertia {}", text(inertia)));
+        let inertia: String = inertia.collect();
+        format!("mass {} on {}{place}{inertia};", text(&self.value), self.on)
+    }
+
+    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+        self.value = shifts.expr(&self.value);
+        self.inertia = self.inertia.as_ref().map(|inertia| shifts.expr(inertia));
+        if let Written::At(at) = &mut self.place {
+            *at = shifts.place(&self.on, at);
+        }
+    }
 }
 
 impl Rules for InertiaStatement {
@@ -58,6 +79,14 @@ impl Rules for InertiaStatement {
 
     fn acts(&self) -> bool {
         true
+    }
+
+    fn written(&self) -> String {
+        format!("inertia {} on {};", text(&self.value), self.on)
+    }
+
+    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        vec![&mut self.value]
     }
 }
 

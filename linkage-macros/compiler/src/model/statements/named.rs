@@ -6,12 +6,12 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Expr, ExprKind, LetStatement};
 
+use crate::model::drawn::printed::text;
 use crate::model::expressions::{self, ResolvedExpr};
 use crate::model::facts::LetFacts;
 use crate::model::mechanism::{LawId, LetId, Scalar};
 use crate::model::names::{Entity, Kind};
-use crate::model::reads::Allowed;
-use crate::model::reads::Reads;
+use crate::model::reads::{Allowed, Reads};
 use crate::model::scope::Scope;
 use crate::model::uses;
 
@@ -32,6 +32,14 @@ impl Rules for LetStatement {
 
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], moves: bool) {
         named_expression(scope, &self.name, &self.value, moves);
+    }
+
+    fn written(&self) -> String {
+        format!("let {} = {};", self.name, text(&self.value))
+    }
+
+    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        vec![&mut self.value]
     }
 }
 

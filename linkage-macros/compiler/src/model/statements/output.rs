@@ -1,6 +1,6 @@
 //! Outputs: the fields of the result.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 use quote::format_ident;
 use syn::Attribute;
 
@@ -10,12 +10,14 @@ use crate::syntax::tree::{
     Declaration, Expr, ExprKind, OutputItem, OutputStatement, StatementKind,
 };
 
+use crate::model::drawn::printed::text;
+use crate::model::drawn::{Bodies, FrameShifts};
 use crate::model::expressions::{self, ResolvedExpr, bare_name};
-use crate::model::mechanism::{DeclaredOutput, LinkId, OutputKind, Scalar as Resolved};
+use crate::model::mechanism::{LinkId, OutputKind};
 use crate::model::names::{Entity, Kind};
 use crate::model::reads::Allowed;
 use crate::model::scope::Scope;
-use crate::model::{dynamics_outputs, effort_formulas, readings, uses};
+use crate::model::{dynamics_outputs, effort_formulas, given, readings, uses};
 
 use super::{Rules, drive_by, named};
 
@@ -28,6 +30,23 @@ impl Rules for OutputStatement {
 
     fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
         // An output may name anything, wherever it stands: `outputs`.
+    }
+
+    fn written(&self) -> String {
+        let items = self.items.iter().map(|item| match &item.name {
+            Some(name) => format!("{name} = {}", text(&item.value)),
+            None => text(&item.value),
+        });
+        format!("output {};", items.collect::<Vec<_>>().join(", "))
+    }
+
+    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+        for item in &mut self.items {
+            // A part of a link by itself is a direction.
+            if item.name.is_some() || !matches!(item.value.kind, ExprKind::Member(..)) {
+                item.value = shifts.expr(&item.value);
+            }
+        }
     }
 }
 
@@ -59,41 +78,10 @@ fn every_moving_thing_is_given(scope: &mut Scope<'_>) {
             Entity::Point(id) if !scope.facts.points[id.index()] => {}
             Entity::Unknown(id) => {
                 let at = scope.mechanism.unknowns[id.index()].name.span();
-                give_whole(scope, at, &[], entity);
+                given::give_whole(scope, at, &[], entity);
             }
-            _ => scope.mechanism.outputs.extend(whole(scope, entity)),
+            _ => scope.mechanism.outputs.extend(given::whole(scope, entity)),
         }
-    }
-}
-
-/// A point, a link, an unknown or a named expression as an output, under its own name.
-pub(in crate::model) fn whole(scope: &Scope<'_>, entity: Entity) -> Option<DeclaredOutput> {
-    let mechanism = &scope.mechanism;
-    Some(match entity {
-        Entity::Point(id) => {
-            let point = &mechanism.points[id.index()];
-            let kind = OutputKind::Point(id);
-            DeclaredOutput { field: point.name.clone(), docs: point.docs.clone(), kind }
-        }
-        Entity::Link(id) => {
-            let link = &mechanism.links[id.index()];
-            let kind = OutputKind::Link { link: id, direction: true, slide: link.slides };
-            DeclaredOutput { field: link.name.clone(), docs: link.docs.clone(), kind }
-        }
-        // A number with its rates, between its ends.
-        Entity::Unknown(id) => {
-            let unknown = &mechanism.unknowns[id.index()];
-            let (value, dimension) = (Resolved::Unknown(id), unknown.dimension);
-            let kind = OutputKind::Value { value, dimension };
-            DeclaredOutput { field: unknown.name.clone(), docs: unknown.docs.clone(), kind }
-        }
-        _ => return None,
-    })
-}
-
-fn give_whole(scope: &mut Scope<'_>, at: Span, docs: &[Attribute], entity: Entity) {
-    if let Some(DeclaredOutput { field, docs: own, kind }) = whole(scope, entity) {
-        give(scope, at, field, &[docs, &own].concat(), kind);
     }
 }
 
@@ -135,7 +123,7 @@ fn give_quantity(scope: &mut Scope<'_>, name: &Ident, docs: &[Attribute], quanti
     } else {
         OutputKind::Angle(quantity.turn())
     };
-    give(scope, name.span(), name.clone(), docs, kind);
+    given::give(scope, name.span(), name.clone(), docs, kind);
 }
 
 /// Reports `C as tip`.
@@ -181,11 +169,17 @@ fn whole_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) {
     }
     match uses::usable(scope, name, &[Kind::Point, Kind::Link, Kind::Let, Kind::Unknown]) {
         Some(entity @ (Entity::Unknown(_) | Entity::Point(_))) => {
-            give_whole(scope, name.span(), docs, entity);
+            given::give_whole(scope, name.span(), docs, entity);
         }
         Some(Entity::Link(link)) => {
             let slide = scope.mechanism.links[link.index()].slides;
-            give_link(scope, docs, name, link, OutputKind::Link { link, direction: true, slide });
+            given::give_link(
+                scope,
+                docs,
+                name,
+                link,
+                OutputKind::Link { link, direction: true, slide },
+            );
         }
         Some(entity @ (Entity::Let(_) | Entity::Law(_))) => let_output(scope, docs, name, entity),
         _ => {}
@@ -274,10 +268,10 @@ fn member_output(scope: &mut Scope<'_>, docs: &[Attribute], owner: &Ident, membe
                 _ => OutputKind::Transmission(made_by),
             };
             let field = format_ident!("{owner}_{part}", span = owner.span());
-            return give(scope, member.span(), field, docs, kind);
+            return given::give(scope, member.span(), field, docs, kind);
         }
     };
-    give_link(scope, docs, member, link, kind);
+    given::give_link(scope, docs, member, link, kind);
 }
 
 /// `blade.x`: the field `blade_x`.
@@ -286,7 +280,7 @@ fn coordinate_output(scope: &mut Scope<'_>, docs: &[Attribute], owner: &Ident, m
         let dimension = quantity.measure.dimension();
         let field = format_ident!("{owner}_{member}", span = owner.span());
         let kind = OutputKind::Value { value: quantity.rest, dimension };
-        give(scope, member.span(), field, docs, kind);
+        given::give(scope, member.span(), field, docs, kind);
     }
 }
 
@@ -343,49 +337,4 @@ fn group_has_a_limit(scope: &mut Scope<'_>, link: LinkId, member: &Ident) -> Opt
     };
     scope.diagnostics.error_because(member.span(), message, reason);
     None
-}
-
-/// A link's angle and its slide, asked for one by one, make one field.
-fn give_link(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    at: &Ident,
-    link: LinkId,
-    kind: OutputKind,
-) {
-    let OutputKind::Link { direction: new_direction, slide: new_slide, .. } = kind else {
-        return;
-    };
-    for output in &mut scope.mechanism.outputs {
-        match &mut output.kind {
-            OutputKind::Link { link: known, direction, slide }
-                if *known == link && !(*direction && new_direction) && !(*slide && new_slide) =>
-            {
-                *direction |= new_direction;
-                *slide |= new_slide;
-                return;
-            }
-            _ => {}
-        }
-    }
-    let declared = &scope.mechanism.links[link.index()];
-    let (field, own) = (declared.name.clone(), declared.docs.clone());
-    give(scope, at.span(), field, &[docs, &own].concat(), kind);
-}
-
-/// A field of the result is given once.
-pub(in crate::model) fn give(
-    scope: &mut Scope<'_>,
-    span: Span,
-    field: Ident,
-    docs: &[Attribute],
-    kind: OutputKind,
-) {
-    let asked = &scope.mechanism.dynamics.asked;
-    if scope.mechanism.outputs.iter().any(|output| output.field == field)
-        || asked.iter().any(|asked| asked.is_formula(&field))
-    {
-        return effort_formulas::output_is_given_twice(scope, span, &field.to_string());
-    }
-    scope.mechanism.outputs.push(DeclaredOutput { field, docs: docs.to_vec(), kind });
 }

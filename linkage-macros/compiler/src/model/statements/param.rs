@@ -8,6 +8,7 @@ use crate::syntax::anatomy::Modes;
 use crate::syntax::tree::{Expr, ExprKind, ParamStatement};
 
 use crate::model::dimension::Measure;
+use crate::model::drawn::printed::{self, text};
 use crate::model::expressions::{self, bare_name};
 use crate::model::facts::ParamFacts;
 use crate::model::mechanism::{Dimension, Param, ParamId, ParamKind, Sign};
@@ -52,6 +53,11 @@ impl Rules for ParamStatement {
         let (measure, span) = (Measure::NUMBER, self.default.span);
         scope.facts.params.push(ParamFacts { measure, span, blamed: true });
         Some(Entity::Param(ParamId(params.len() as u32 - 1)))
+    }
+
+    fn written(&self) -> String {
+        let (kind, default) = (printed::kind(&self.kind), text(&self.default));
+        format!("param {}{kind} = {default};", self.name)
     }
 }
 

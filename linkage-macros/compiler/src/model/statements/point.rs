@@ -8,6 +8,8 @@ use crate::reach::{absolute, apex};
 use crate::syntax::tree::{self, Expr, Expr as Written, PointStatement};
 
 use crate::model::assembly::{constants, polar};
+use crate::model::drawn::printed::{self, pair};
+use crate::model::drawn::{Bodies, FrameShifts};
 use crate::model::expressions::bare_name;
 use crate::model::folding::shown;
 use crate::model::mechanism::{
@@ -48,6 +50,22 @@ impl Rules for PointStatement {
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let by_itself = stub::group_by_itself(scope, "point", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
+    }
+
+    fn written(&self) -> String {
+        let place = match &self.place {
+            tree::PointPlace::Cartesian(place) => format!("at {}", pair(place)),
+            tree::PointPlace::Polar(place) => format!("at polar {}", pair(place)),
+            tree::PointPlace::Distances(distances, side) => {
+                format!("at distances {} {side}", pair(distances))
+            }
+            tree::PointPlace::Mistake => String::new(),
+        };
+        format!("point {}{} {place};", self.name, printed::on(&self.on))
+    }
+
+    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+        self.place = shifts.point(self.on.as_ref(), &self.place);
     }
 }
 

@@ -8,15 +8,17 @@ use crate::syntax::anatomy::{FieldRule, GroupSpec, Pin, optional};
 use crate::syntax::tree::{Expr, ExprKind, GroupStatement, SpringStatement};
 
 use crate::model::acting::{Effort, Ends, Magnitude, Spring};
+use crate::model::drawn::printed::{self, braces};
+use crate::model::drawn::{Bodies, FrameShifts};
 use crate::model::expressions::{self, RATE, ResolvedExpr, counted};
 use crate::model::fields::{self, Fields};
 use crate::model::mechanism::{self, Carrier, Dimension, OutputKind, PointId, SpringId};
 use crate::model::names::{Entity, Kind};
 use crate::model::reads::Allowed;
 use crate::model::scope::Scope;
-use crate::model::{dynamics_outputs, numbers, uses};
+use crate::model::{dynamics_outputs, given, numbers, uses};
 
-use super::{Rules, acts, mass, named, output};
+use super::{Rules, acts, mass, named};
 
 const DAMPING: FieldRule = optional("damping", "what it exerts against its rate, `10(N*s/m)`");
 
@@ -79,6 +81,15 @@ impl Rules for SpringStatement {
 
     fn acts(&self) -> bool {
         true
+    }
+
+    fn written(&self) -> String {
+        let ([a, b], name) = (&self.ends, printed::own_name(&self.name));
+        format!("spring{name} between {a} and {b} {}", braces(&self.fields))
+    }
+
+    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+        shifts.group(&mut self.fields);
     }
 }
 
@@ -323,7 +334,7 @@ pub(in crate::model) fn spring_output(
         Ends::Bodies(_) => (mechanism::Scalar::Twist(id), Dimension::ANGLE),
     };
     let kind = OutputKind::Value { value, dimension };
-    output::give(scope, member.span(), field, &[docs, &own].concat(), kind);
+    given::give(scope, member.span(), field, &[docs, &own].concat(), kind);
 }
 
 /// The effort of a spring in an expression.

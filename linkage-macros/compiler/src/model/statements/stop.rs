@@ -7,6 +7,8 @@ use crate::syntax::anatomy::{GroupSpec, Pin, needed, optional};
 use crate::syntax::tree::{Expr, StopStatement};
 
 use crate::model::acting::{Effort, Magnitude, RequestedEffort, Stop, Stopped};
+use crate::model::drawn::printed::{self, braces, pair, text};
+use crate::model::drawn::{Bodies, FrameShifts};
 use crate::model::mechanism::{AngleSum, Dimension, Scalar, StopId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
@@ -60,6 +62,16 @@ impl Rules for StopStatement {
 
     fn acts(&self) -> bool {
         true
+    }
+
+    fn written(&self) -> String {
+        let (name, of) = (printed::own_name(&self.name), text(&self.of));
+        format!("stop{name} {of} between {} {}", pair(&self.ends), braces(&self.fields))
+    }
+
+    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+        self.of = shifts.expr(&self.of);
+        shifts.group(&mut self.fields);
     }
 }
 

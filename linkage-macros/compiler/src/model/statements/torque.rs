@@ -6,6 +6,7 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, TorqueBetweenStatement, TorqueStatement};
 
 use crate::model::acting::Torque;
+use crate::model::drawn::printed::text;
 use crate::model::mechanism::{Carrier, Dimension, Scalar};
 use crate::model::scope::Scope;
 use crate::model::uses;
@@ -30,6 +31,14 @@ impl Rules for TorqueStatement {
     fn acts(&self) -> bool {
         true
     }
+
+    fn written(&self) -> String {
+        format!("torque {} on {};", text(&self.value), self.on)
+    }
+
+    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        vec![&mut self.value]
+    }
 }
 
 impl Rules for TorqueBetweenStatement {
@@ -48,6 +57,15 @@ impl Rules for TorqueBetweenStatement {
 
     fn acts(&self) -> bool {
         true
+    }
+
+    fn written(&self) -> String {
+        let [a, b] = &self.bodies;
+        format!("torque {} between {a} and {b};", text(&self.value))
+    }
+
+    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
+        vec![&mut self.value]
     }
 }
 

@@ -11,6 +11,7 @@ use crate::syntax::tree::{self, Declaration, Expr, UnknownStatement};
 
 use crate::model::acting::Effort;
 use crate::model::drawn::joints;
+use crate::model::drawn::printed::{self, pair};
 use crate::model::folding::shown_in_degrees;
 use crate::model::kinds::{KINDS, quantity_kind};
 use crate::model::mechanism::{
@@ -39,6 +40,11 @@ impl Rules for UnknownStatement {
 
     fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
         unknown(scope, docs, &self.name, self.kind.as_ref(), self.between.as_ref());
+    }
+
+    fn written(&self) -> String {
+        let ends = self.between.as_ref().map(pair).unwrap_or_default();
+        format!("unknown {}{} between {ends};", self.name, printed::kind(&self.kind))
     }
 }
 

@@ -7,12 +7,13 @@ use proc_macro2::Ident;
 use super::{NUMBER, number};
 use crate::model::acting::{Effort, Formula};
 use crate::model::expressions::bare_name;
+use crate::model::given;
 use crate::model::ids::FormulaId;
 use crate::model::mechanism::{AngleSum, DeclaredOutput, OutputKind, Scalar};
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
+use crate::model::statements::named;
 use crate::model::statements::spring::is_rate;
-use crate::model::statements::{named, output};
 use crate::model::{numbers, stub};
 use crate::syntax::tree::{self, Declaration, ExprKind, LetStatement, OutputItem, StatementKind};
 
@@ -33,7 +34,7 @@ pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, it
     }
     // A point under another name is a mistake, and its coordinates may be asked for.
     let whole =
-        named.and_then(|value| scope.names.made(value)).and_then(|it| output::whole(scope, it));
+        named.and_then(|value| scope.names.made(value)).and_then(|it| given::whole(scope, it));
     let kind = match whole {
         Some(output) => output.kind,
         None if holds_angle(scope, tree, &item.value, tree.statements.len()) => {

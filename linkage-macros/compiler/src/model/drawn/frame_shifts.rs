@@ -1,5 +1,5 @@
-//! Links whose group gave them another frame than their statement: what else is written in their
-//! frames is rewritten for those of the groups.
+//! Links whose group gave them another frame than their statement: what else is written in their frames is
+//! shifted to those of the groups, a statement by its own rules.
 
 use std::collections::HashMap;
 
@@ -7,20 +7,14 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::exact::Exact;
-use crate::syntax::tree::{
-    Action, ForceBetweenStatement, ForceStatement, GravityStatement, GuideStatement,
-    InertiaStatement, LetStatement, MassSite, MassStatement, OutputStatement, PointStatement,
-    SpringStatement, TorqueBetweenStatement, TorqueStatement,
-};
-use crate::syntax::tree::{
-    Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, OutputItem, PointPlace, Solve, Statement,
-    StatementKind,
-};
+use crate::syntax::tree::GuideStatement;
+use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, GuideAnchor, PointPlace, Statement};
 
 use super::bodies::Bodies;
 use super::figures::{Figure, Pen, sum};
 use super::frames::{DrawnFrame, Heading, Origin};
 use super::joints::TurnedFrame;
+use crate::model::statements::rules_mut;
 
 /// The written frame of a link in that of its group.
 struct FrameShift {
@@ -33,12 +27,13 @@ struct FrameShift {
     is_reversed: bool,
 }
 
-pub(super) struct Turns {
+/// Those of all such links.
+pub(in crate::model) struct FrameShifts {
     pen: Pen,
     by_link: HashMap<String, FrameShift>,
 }
 
-impl Turns {
+impl FrameShifts {
     pub(super) fn new(pen: &Pen) -> Self {
         Self { pen: pen.clone(), by_link: HashMap::new() }
     }
@@ -108,7 +103,7 @@ impl Turns {
     }
 
     /// An angle against the written frame of a link, against that of its group.
-    pub(super) fn added(&self, link: &Ident, angle: Expr) -> Expr {
+    pub(in crate::model) fn added(&self, link: &Ident, angle: Expr) -> Expr {
         match self.of(link).and_then(|turn| turn.angle.as_ref()) {
             Some(turn) => sum(angle, turn.text.clone()),
             None => angle,
@@ -116,7 +111,7 @@ impl Turns {
     }
 
     /// An expression in which the angles of links are those of their groups' frames.
-    pub(super) fn expr(&self, expr: &Expr) -> Expr {
+    pub(in crate::model) fn expr(&self, expr: &Expr) -> Expr {
         expr.replaced(&|part| match &part.kind {
             ExprKind::Member(link, member) if member == "angle" => {
                 Some(self.added(link, part.clone()))
@@ -125,12 +120,12 @@ impl Turns {
         })
     }
 
-    fn pair(&self, [first, second]: &[Expr; 2]) -> [Expr; 2] {
+    pub(in crate::model) fn pair(&self, [first, second]: &[Expr; 2]) -> [Expr; 2] {
         [self.expr(first), self.expr(second)]
     }
 
     /// Components along the axes of a link.
-    fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+    pub(in crate::model) fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
         let local = self.pair(local);
         let Some(turn) = self.of(link).filter(|turn| turn.angle.is_some()) else { return local };
         let pen = self.pen.at(link.span());
@@ -143,7 +138,7 @@ impl Turns {
     }
 
     /// Coordinates in the frame of a link.
-    fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+    pub(in crate::model) fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
         let turned = self.components(link, local);
         let Some(turn) = self.of(link) else { return turned };
         let [x, y] = turned;
@@ -153,49 +148,34 @@ impl Turns {
 
     /// The statement with everything in the frames of groups.
     pub(super) fn statement(&self, bodies: &Bodies<'_>, statement: &Statement) -> Statement {
-        let kind = match &statement.kind {
-            StatementKind::Guide(GuideStatement { name, on, through, course }) => {
-                self.guide(bodies, name, on.as_ref(), through, course)
-            }
-            StatementKind::Point(PointStatement { name, on, place }) => {
-                StatementKind::Point(PointStatement {
-                    name: name.clone(),
-                    on: on.clone(),
-                    place: self.point(on.as_ref(), place),
-                })
-            }
-            StatementKind::Let(LetStatement { name, value }) => {
-                StatementKind::Let(LetStatement { name: name.clone(), value: self.expr(value) })
-            }
-            StatementKind::Output(OutputStatement { items }) => {
-                StatementKind::Output(OutputStatement {
-                    items: items
-                        .iter()
-                        .map(|item| OutputItem {
-                            name: item.name.clone(),
-                            renamed_at: item.renamed_at,
-                            // A part of a link by itself is a direction.
-                            value: match &item.value.kind {
-                                ExprKind::Member(..) if item.name.is_none() => item.value.clone(),
-                                _ => self.expr(&item.value),
-                            },
-                        })
-                        .collect(),
-                })
-            }
-            StatementKind::Group(group) => {
-                let mut group = group.clone();
-                self.group(&mut group);
-                StatementKind::Group(group)
-            }
-            StatementKind::Action(action) => StatementKind::Action(self.action(action)),
-            StatementKind::Solve(solve) => StatementKind::Solve(self.solve(solve)),
-            kind => kind.clone(),
-        };
-        Statement { docs: statement.docs.clone(), kind }
+        let mut shifted = statement.clone();
+        rules_mut(&mut shifted).shift(self, bodies);
+        shifted
     }
 
-    fn group(&self, group: &mut crate::syntax::tree::GroupStatement) {
+    /// The place in the frame of the group that a guide on a link goes through; none where it stays as it is.
+    pub(in crate::model) fn through(
+        &self,
+        bodies: &Bodies<'_>,
+        GuideStatement { name, on, through, .. }: &GuideStatement,
+    ) -> Option<[Expr; 2]> {
+        let on = on.as_ref()?;
+        let point = match through {
+            GuideAnchor::At(place) => return Some(self.place(on, place)),
+            GuideAnchor::Point(point) => point,
+            GuideAnchor::Mistake => return None,
+        };
+        // Any pin's place in the drawing will do.
+        let body = bodies.body(on).filter(|&body| body != GROUND && !bodies.link(body).is_given)?;
+        if bodies.has_pin(body, point) {
+            return None;
+        }
+        let guide = bodies.guides.iter().find(|known| known.name == name)?;
+        let local = bodies.frames[body].local(&self.pen.at(point.span()), &guide.line.through);
+        Some(self.place(on, &local.map(|number| number.text)))
+    }
+
+    pub(in crate::model) fn group(&self, group: &mut crate::syntax::tree::GroupStatement) {
         let reference = group.fields.iter().find_map(|field| match &field.value {
             GroupFieldValue::One(Expr { kind: ExprKind::Name(name), .. })
                 if field.name == "relative_to" =>
@@ -217,45 +197,7 @@ impl Turns {
         }
     }
 
-    fn guide(
-        &self,
-        bodies: &Bodies<'_>,
-        name: &Ident,
-        on: Option<&Ident>,
-        through: &GuideAnchor,
-        course: &Course,
-    ) -> StatementKind {
-        let body = on.and_then(|on| bodies.body(on)).unwrap_or(GROUND);
-        let spot = match (through, on) {
-            (GuideAnchor::At(place), Some(on)) => GuideAnchor::At(self.place(on, place)),
-            // Any pin's place in the drawing will do.
-            (GuideAnchor::Point(point), Some(on)) if !bodies.has_pin(body, point) => {
-                let guide = bodies.guides.iter().find(|guide| guide.name == name);
-                let frame = &bodies.frames[body];
-                match guide.filter(|_| body != GROUND && !bodies.link(body).is_given) {
-                    Some(guide) => {
-                        let local = frame.local(&self.pen.at(point.span()), &guide.line.through);
-                        GuideAnchor::At(self.place(on, &local.map(|number| number.text)))
-                    }
-                    None => through.clone(),
-                }
-            }
-            _ => through.clone(),
-        };
-        let course = match (course, on) {
-            (Course::Along(angle), Some(on)) => Course::Along(self.added(on, self.expr(angle))),
-            (Course::Along(angle), None) => Course::Along(self.expr(angle)),
-            _ => course.clone(),
-        };
-        StatementKind::Guide(GuideStatement {
-            name: name.clone(),
-            on: on.cloned(),
-            through: spot,
-            course,
-        })
-    }
-
-    fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
+    pub(in crate::model) fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
         let Some((on, turn)) = on.and_then(|on| Some((on, self.of(on)?))) else {
             return match place {
                 PointPlace::Cartesian(place) => PointPlace::Cartesian(self.pair(place)),
@@ -282,49 +224,6 @@ impl Turns {
                 PointPlace::Distances([self.expr(second), self.expr(first)], side)
             }
             place => place.clone(),
-        }
-    }
-
-    fn action(&self, action: &Action) -> Action {
-        let mut action = action.clone();
-        match &mut action {
-            Action::Gravity(GravityStatement { value, .. })
-            | Action::Force(ForceStatement { value, axes: None, .. }) => {
-                *value = self.pair(value);
-            }
-            Action::Force(ForceStatement { value, axes: Some(axes), .. }) => {
-                *value = self.components(axes, value);
-            }
-            Action::Mass(MassStatement { value, on, place, inertia }) => {
-                *value = self.expr(value);
-                *inertia = inertia.as_ref().map(|inertia| self.expr(inertia));
-                if let MassSite::At(at) = place {
-                    *at = self.place(on, at);
-                }
-            }
-            Action::Inertia(InertiaStatement { value, .. })
-            | Action::ForceBetween(ForceBetweenStatement { value, .. })
-            | Action::Torque(TorqueStatement { value, .. })
-            | Action::TorqueBetween(TorqueBetweenStatement { value, .. }) => {
-                *value = self.expr(value)
-            }
-            Action::Spring(SpringStatement { fields, .. }) => self.group(fields),
-            Action::Stop(stop) => {
-                stop.of = self.expr(&stop.of);
-                self.group(&mut stop.fields);
-            }
-            Action::Friction(friction) => friction.coefficient = self.expr(&friction.coefficient),
-        }
-        action
-    }
-
-    fn solve(&self, solve: &Solve) -> Solve {
-        Solve {
-            unknown: solve.unknown.clone(),
-            equation: solve.equation.as_ref().map(|sides| self.pair(sides)),
-            mode: solve.mode.clone(),
-            near: solve.near.as_ref().map(|near| self.expr(near)),
-            ..*solve
         }
     }
 }
