@@ -5,7 +5,7 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 use crate::codegen::Drawing;
 use crate::codegen::c::selection::Selection;
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
-use crate::exact::Scope;
+use crate::exact::AtomScope;
 use crate::interface::Interface;
 use crate::ir::program::Program;
 use crate::model::Stub;
@@ -57,7 +57,7 @@ pub struct Output {
 /// ```
 pub fn compile(source: TokenStream, options: &Options) -> Output {
     // The numbers of one declaration are not those of the next.
-    let _atoms = Scope::begin();
+    let _atoms = AtomScope::begin();
     let mut diagnostics = Diagnostics::new();
     let (declaration, resolved) = read(source.clone(), &mut diagnostics);
     match (resolved, diagnostics.finish()) {
@@ -128,7 +128,7 @@ fn printed(
     only: &[&str],
     finish: impl FnOnce(&Mechanism, &lower::routine::Lowered<'_>, Vec<File>) -> Vec<File>,
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let _atoms = Scope::begin();
+    let _atoms = AtomScope::begin();
     let mut diagnostics = Diagnostics::new();
     let (_, resolved) = read(source, &mut diagnostics);
     match (resolved, diagnostics.finish()) {

@@ -4,7 +4,7 @@
 //! chain of groups of constants stays as small as the graph it came from, equality costs nothing, and
 //! each atom is evaluated once.
 //!
-//! They are known to their thread, from when they are made until the [`Scope`] they were made in
+//! They are known to their thread, from when they are made until the [`AtomScope`] they were made in
 //! ends, which is that of a compilation: a server that compiles one declaration after the other
 //! keeps nothing of them.
 
@@ -141,17 +141,17 @@ impl Drop for Atoms {
 
 /// Forgets the atoms that were made since it began, when it ends. No number that holds one of
 /// them may be used afterwards: an equal one would be another atom.
-pub(crate) struct Scope {
+pub(crate) struct AtomScope {
     before: usize,
 }
 
-impl Scope {
+impl AtomScope {
     pub(crate) fn begin() -> Self {
         Self { before: known() }
     }
 }
 
-impl Drop for Scope {
+impl Drop for AtomScope {
     fn drop(&mut self) {
         ATOMS.with_borrow_mut(|atoms| atoms.truncate(self.before));
     }

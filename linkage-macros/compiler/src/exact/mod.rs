@@ -29,7 +29,7 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use atom::AtomKind;
-pub(crate) use atom::Scope;
+pub(crate) use atom::AtomScope;
 #[cfg(test)]
 pub(crate) use atom::known as known_atoms;
 pub(crate) use enclosure::Enclosure;

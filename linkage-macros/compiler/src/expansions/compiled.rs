@@ -6,7 +6,7 @@ use syn::parse_quote;
 
 use super::parts;
 use crate::diagnostics::{Diagnostic, Diagnostics};
-use crate::exact::Scope;
+use crate::exact::AtomScope;
 use crate::model;
 use crate::model::mechanism::Mechanism;
 use crate::pipeline::{Options, code, placing, program, read, stub, text};
@@ -14,7 +14,7 @@ use crate::pipeline::{Options, code, placing, program, read, stub, text};
 /// The stub that the declaration would have if it had mistakes, its solver, and the solver of the same declaration
 /// with `export c;` beside all that can be shown of it.
 pub(super) fn all(source: &TokenStream) -> [TokenStream; 3] {
-    let _atoms = Scope::begin();
+    let _atoms = AtomScope::begin();
     let mut diagnostics = Diagnostics::new();
     let (declaration, resolved) = read(source.clone(), &mut diagnostics);
     let mistakes: Vec<_> = diagnostics.into_mistakes().iter().map(Diagnostic::text).collect();

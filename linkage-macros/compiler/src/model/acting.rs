@@ -6,12 +6,11 @@ use syn::Attribute;
 use syn::ext::IdentExt;
 
 use super::dimension::Dimension;
-pub(crate) use super::effort::Effort;
-use super::expr::AngleSum;
-use super::expr::Scalar;
+use super::expr::{AngleSum, Scalar};
 use super::ids::{GuideId, InputId, LinkId, PointId};
 use super::incidence::{Carrier, Length};
 
+pub(crate) use super::effort::Effort;
 /// Everything that a declaration says about forces; empty where it says nothing.
 #[derive(Default)]
 pub(crate) struct Dynamics {

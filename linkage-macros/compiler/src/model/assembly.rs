@@ -5,12 +5,11 @@
 use crate::exact::Exact;
 use crate::reach::absolute;
 
-use super::coincidence;
-use super::folding::{shown, shown_in_degrees};
-use super::jointed::Dimensions;
-use super::mechanism::{AngleSum, Carrier, GuideId, Length, LinkId, PointId, Scalar};
-use super::scope::Scope;
-use super::statements::group::Parts;
+use crate::model::coincidence;
+use crate::model::folding::{shown, shown_in_degrees};
+use crate::model::mechanism::{AngleSum, Carrier, GuideId, Length, LinkId, PointId, Scalar};
+use crate::model::parts_of_groups::{Dimensions, Parts};
+use crate::model::scope::Scope;
 
 impl AngleSum {
     /// The angle, where it is known when the mechanism is declared.

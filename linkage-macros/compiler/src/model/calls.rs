@@ -3,22 +3,26 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::nearest;
-use crate::function::Function;
+use crate::function::{Function, Measures};
 use crate::syntax::tree;
 
-use super::expressions::{DISTANCE, OFFSET, RATE, ResolvedExpr, bare_name, counted, expression};
-use super::folding::shown;
-use super::mechanism::Scalar;
-use super::names::Kind;
-use super::reads::{Allowed, Reads};
-use super::scope::Scope;
-use super::{exponents, numbers, readings};
+use crate::model::dimension::{Dimension, Measure};
+use crate::model::folding::shown;
+use crate::model::mechanism::Scalar;
+use crate::model::names::Kind;
+use crate::model::reads::{Allowed, Reads};
+use crate::model::resolved_expr::{
+    DISTANCE, OFFSET, RATE, Resolve, ResolvedExpr, bare_name, counted,
+};
+use crate::model::scope::Scope;
+use crate::model::{exponents, fits, readings};
 
 pub(super) fn call(
     scope: &mut Scope<'_>,
     name: &Ident,
     arguments: &[tree::Expr],
     allowed: Allowed,
+    resolve: Resolve,
 ) -> Option<ResolvedExpr> {
     let Some(function) = Function::named(&name.to_string()) else {
         if member_as_a_function(scope, name, arguments) {
@@ -28,10 +32,10 @@ pub(super) fn call(
         // It may be a function of points or guides.
         let numbers = arguments.iter().filter(|argument| !readings::is_a_place(scope, argument));
         let numbers: Vec<_> = numbers.collect();
-        numbers.into_iter().for_each(|argument| drop(expression(scope, argument, allowed)));
+        numbers.into_iter().for_each(|argument| drop(resolve(scope, argument, allowed)));
         return None;
     };
-    let values = arguments.iter().map(|argument| expression(scope, argument, allowed));
+    let values = arguments.iter().map(|argument| resolve(scope, argument, allowed));
     let values: Vec<_> = values.collect();
     if arguments.len() != function.arity() {
         let takes = if function.arity() == 1 { "one argument" } else { "two arguments" };
@@ -41,9 +45,9 @@ pub(super) fn call(
     }
     let values: Vec<_> = values.into_iter().collect::<Option<_>>()?;
     for (argument, value) in arguments.iter().zip(&values) {
-        numbers::no_link_angle(scope, argument, value)?;
+        fits::no_link_angle(scope, argument, value)?;
     }
-    let measure = numbers::measure_of_call(scope, function, arguments, &values)?;
+    let measure = measure_of_call(scope, function, arguments, &values)?;
     let mut reads = values.iter().fold(Reads::default(), |all, value| all.and(&value.reads));
     let rests = exponents::arguments_above_zero(function, arguments, values);
     let constants: Vec<_> = rests.iter().filter_map(|rest| rest.constant()).map(shown).collect();
@@ -109,4 +113,54 @@ fn function_is_defined(
 ) {
     let message = format!("`{call}` has no value");
     scope.diagnostics.error_because(argument.span, message, function.domain());
+}
+
+/// The arguments of a function have the dimensions it is defined for.
+pub(in crate::model) fn measure_of_call(
+    scope: &mut Scope<'_>,
+    function: Function,
+    arguments: &[tree::Expr],
+    values: &[ResolvedExpr],
+) -> Option<Measure> {
+    match function.measures() {
+        Measures::Root => {
+            let root = values[0].measure.root();
+            if root.is_none() {
+                let message = format!(
+                    "the square root of {} has no dimension",
+                    values[0].measure.dimension().words()
+                );
+                let reason = "the powers of its units must be even";
+                scope.diagnostics.error_because(arguments[0].span, message, reason);
+            }
+            root
+        }
+        Measures::OfAngle => {
+            fits::dimension_fits(scope, &arguments[0], &values[0], Dimension::ANGLE)?;
+            Some(Measure::NUMBER)
+        }
+        Measures::Common if values.len() == 1 => Some(values[0].measure),
+        Measures::Number => Some(Measure::NUMBER),
+        Measures::Plain => {
+            fits::dimension_fits(scope, &arguments[0], &values[0], Dimension::NUMBER)?;
+            Some(Measure::NUMBER)
+        }
+        Measures::Power => exponents::measure_of_power(scope, arguments, values),
+        Measures::OfNumber => {
+            fits::dimension_fits(scope, &arguments[0], &values[0], Dimension::NUMBER)?;
+            Some(Measure::ANGLE)
+        }
+        measures @ (Measures::Common | Measures::Direction) => {
+            let sum = values[0].measure.sum(values[1].measure);
+            if sum.is_none() {
+                fits::dimension_fits(
+                    scope,
+                    &arguments[1],
+                    &values[1],
+                    values[0].measure.dimension(),
+                )?;
+            }
+            sum.map(|sum| if measures == Measures::Common { sum } else { Measure::ANGLE })
+        }
+    }
 }

@@ -12,9 +12,9 @@ use crate::syntax::tree::{
     StatementKind,
 };
 
-use super::names::{declared_by, title};
-use super::needs::{Needs, maker};
-use super::references::names_used;
+use crate::model::needs::{Needs, maker};
+use crate::model::references::names_used;
+use crate::model::statements::{declared_by, title};
 
 /// The replacement for statements that need each other, if one unknown is enough.
 pub(super) fn instead(

@@ -3,8 +3,8 @@
 
 use crate::exact::Exact;
 
-use super::mechanism::{GroupId, Known, Length, PointId};
-use super::scope::Scope;
+use crate::model::mechanism::{GroupId, Known, Length, PointId};
+use crate::model::scope::Scope;
 
 /// Remembers it for the group.
 pub(super) fn constants_say(

@@ -3,11 +3,11 @@
 use proc_macro2::Ident;
 use syn::Attribute;
 
-use super::facts::LinkFacts;
-use super::mechanism::{GroupId, Link, LinkId, PartOf, Point, PointId};
-use super::names::Entity;
-use super::scope::Scope;
-use super::uses::name_is_new;
+use crate::model::facts::LinkFacts;
+use crate::model::mechanism::{GroupId, Link, LinkId, PartOf, Point, PointId};
+use crate::model::names::Entity;
+use crate::model::scope::Scope;
+use crate::model::uses::name_is_new;
 
 /// The id of the group that is about to be made.
 pub(super) fn next_group(scope: &Scope<'_>) -> GroupId {

@@ -4,18 +4,13 @@
 use proc_macro2::Ident;
 use syn::Attribute;
 
-use super::acting::{Effort, RequestedEffort};
-use super::given;
-use super::link_efforts::{self, Efforts};
-use super::mechanism::{InputId, LinkId, OutputKind, SpringId};
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::statements::output::MEMBERS;
-use super::statements::spring;
-use super::statements::spring::parts;
-use super::statements::{drive_by, stop, unknown};
-use super::{effort_formulas, uses};
-use crate::syntax::openings::OPENINGS;
+use crate::model::acting::{Effort, RequestedEffort};
+use crate::model::link_efforts::{self, Efforts, MEMBERS};
+use crate::model::mechanism::{InputId, LinkId, OutputKind, SpringId};
+use crate::model::named_efforts::{self, parts};
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::{given, uses};
 
 /// Outputs of the whole mechanism.
 const WHOLE: [&str; 4] = ["energy", "shaking", "centre_of_mass", "losses"];
@@ -36,12 +31,12 @@ pub(super) fn effort_output(
     member: &Ident,
 ) -> bool {
     if scope.names.kind(owner) == Some(Kind::Spring) {
-        spring::spring_output(scope, docs, owner, member);
+        named_efforts::spring_output(scope, docs, owner, member);
         return true;
     }
     let Some(found) = effort_named(scope, owner, member) else { return false };
     if let Some(effort) = found {
-        ask(scope, docs, owner, member, effort);
+        named_efforts::ask(scope, docs, owner, member, effort);
     }
     true
 }
@@ -62,8 +57,10 @@ pub(super) fn effort_named(
     let is_of_a_drive = ["drive", "push", "force", "torque"].contains(&&word[..]);
     match scope.names.kind(owner) {
         Some(Kind::Input) if is_of_a_drive => Some(input_effort(scope, owner, member)),
-        Some(Kind::Unknown) if is_of_a_drive => Some(unknown::unknown_effort(scope, owner, member)),
-        Some(Kind::Stop) => Some(stop::effort_of_stop(scope, owner, member)),
+        Some(Kind::Unknown) if is_of_a_drive => {
+            Some(named_efforts::unknown_effort(scope, owner, member))
+        }
+        Some(Kind::Stop) => Some(named_efforts::effort_of_stop(scope, owner, member)),
         Some(Kind::Link) if scope.names.kind(member) == Some(Kind::Point) && is_meant(&word) => {
             match uses::link(scope, owner) {
                 Some(link) if touches(scope, link, member) => {
@@ -100,22 +97,22 @@ pub(super) fn output_of_the_whole(scope: &mut Scope<'_>, docs: &[Attribute], nam
     let has_mass = !dynamics.masses.is_empty();
     let has_spring = !dynamics.springs.is_empty() || !dynamics.stops.is_empty();
     match name.to_string().as_str() {
-        "energy" if has_mass || has_spring || a_force_may_be_unread(scope) => {
+        "energy" if has_mass || has_spring || named_efforts::a_force_may_be_unread(scope) => {
             if std::mem::replace(&mut scope.mechanism.dynamics.energy, true) {
                 scope
                     .diagnostics
                     .error(name.span(), "the output `energy` is given twice; remove one");
             }
         }
-        "shaking" if has_mass || a_force_may_be_unread(scope) => {
-            ask(scope, docs, name, name, Effort::Shaking);
+        "shaking" if has_mass || named_efforts::a_force_may_be_unread(scope) => {
+            named_efforts::ask(scope, docs, name, name, Effort::Shaking);
         }
-        "centre_of_mass" if has_mass || a_force_may_be_unread(scope) => {
+        "centre_of_mass" if has_mass || named_efforts::a_force_may_be_unread(scope) => {
             given::give(scope, name.span(), name.clone(), docs, OutputKind::CentreOfMass);
         }
         "losses" => {
-            if effort_formulas::something_rubs(scope, name).is_some() {
-                ask(scope, docs, name, name, Effort::Losses);
+            if named_efforts::something_rubs(scope, name).is_some() {
+                named_efforts::ask(scope, docs, name, name, Effort::Losses);
             }
         }
         word @ ("energy" | "shaking" | "centre_of_mass") => {
@@ -139,7 +136,9 @@ fn input_effort(scope: &mut Scope<'_>, owner: &Ident, member: &Ident) -> Option<
         return None;
     }
     match uses::usable(scope, owner, &[Kind::Input])? {
-        Entity::Input(id) => drive_by::has_a_drive(scope, owner, id).map(|()| Effort::Input(id)),
+        Entity::Input(id) => {
+            named_efforts::has_a_drive(scope, owner, id).map(|()| Effort::Input(id))
+        }
         _ => None,
     }
 }
@@ -157,7 +156,7 @@ fn driven_effort(
     });
     if let Some(&(_, effort)) = found {
         if let Effort::Drive(by) = effort {
-            drive_by::link_has_a_drive(scope, owner, by)?;
+            named_efforts::link_has_a_drive(scope, owner, by)?;
         }
         return Some(effort);
     }
@@ -249,38 +248,6 @@ pub(super) fn forces_of(scope: &Scope<'_>, owner: &Ident) -> Option<String> {
     has_any.then(|| known_efforts(&efforts, owner))
 }
 
-pub(super) fn ask(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    owner: &Ident,
-    member: &Ident,
-    effort: Effort,
-) {
-    if scope.mechanism.dynamics.is_empty() && !a_force_may_be_unread(scope) {
-        let message = format!("nothing has mass and nothing acts, so `{owner}.{member}` is zero");
-        let reason = "declare what does: `mass 2kg on BC uniform`, `force (0, -10N) on P`";
-        return scope.diagnostics.error_because(member.span(), message, reason);
-    }
-    if unknown::effort_is_known(scope, member, effort).is_none() {
-        return;
-    }
-    let (own, field) = (owner.clone(), member.clone());
-    let asked_for = RequestedEffort { owner: own, field, docs: docs.to_vec(), effort };
-    let asked = &mut scope.mechanism.dynamics.asked;
-    if asked.iter().any(|known| known.effort == effort) {
-        return effort_formulas::output_is_given_twice(scope, member.span(), &asked_for.path());
-    }
-    // Efforts of one owner form one field of the result.
-    let behind = asked.iter().rposition(|known| known.owner == *owner);
-    asked.insert(behind.map_or(asked.len(), |last| last + 1), asked_for);
-}
-
-/// True if a mistake may have hidden a statement that acts.
-pub(super) fn a_force_may_be_unread(scope: &Scope<'_>) -> bool {
-    OPENINGS.iter().any(|of| of.acts && scope.unread.may_hold(of.word))
-        || scope.diagnostics.count() > 0
-}
-
 /// Every drive and reaction, where anything has mass or acts.
 pub(super) fn every_effort_is_given(scope: &mut Scope<'_>) {
     let dynamics = &mut scope.mechanism.dynamics;
@@ -321,7 +288,7 @@ pub(super) fn every_effort_is_given(scope: &mut Scope<'_>) {
         let effort = Effort::Spring(SpringId(index as u32));
         Some(RequestedEffort { owner, field, docs: spring.docs.clone(), effort })
     });
-    let springs: Vec<_> = springs.chain(stop::efforts_of_stops(scope)).collect();
+    let springs: Vec<_> = springs.chain(named_efforts::efforts_of_stops(scope)).collect();
     let losses = losses_of_all(scope);
     let mut asked: Vec<RequestedEffort> =
         inputs.into_iter().chain(links).chain(springs).chain(losses).collect();

@@ -1,22 +1,20 @@
 //! Outputs that read efforts, reactions, rates and loads: they stand in the results of `forces`.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 use quote::format_ident;
 use syn::Attribute;
 
 use crate::syntax::tree;
 
-use super::acting::{Contact, Effort, Ends, Formula, RequestedEffort};
-use super::dimension::Measure;
-use super::expressions::ResolvedExpr;
-use super::ids::FormulaId;
-use super::link_efforts;
-use super::mechanism::{Carrier, Dimension, LinkId, Scalar};
-use super::names::{Kind, listed};
-use super::reads::Reads;
-use super::scope::Scope;
-use super::statements::{spring, unknown};
-use super::{dynamics_outputs, numbers, uses};
+use crate::model::acting::{Contact, Effort, Ends, Formula, RequestedEffort};
+use crate::model::dimension::Measure;
+use crate::model::ids::FormulaId;
+use crate::model::mechanism::{Carrier, Dimension, LinkId, Scalar};
+use crate::model::names::{Kind, listed};
+use crate::model::reads::Reads;
+use crate::model::resolved_expr::ResolvedExpr;
+use crate::model::scope::Scope;
+use crate::model::{dynamics_outputs, fits, given, link_efforts, named_efforts, uses};
 
 /// A power: what friction takes.
 const POWER: Dimension = Dimension { time: -3, ..Dimension::TORQUE };
@@ -36,11 +34,11 @@ pub(super) fn give_formula(
     value: &tree::Expr,
     quantity: ResolvedExpr,
 ) {
-    if numbers::no_link_angle(scope, value, &quantity).is_none() {
+    if fits::no_link_angle(scope, value, &quantity).is_none() {
         return;
     }
     let dynamics = &scope.mechanism.dynamics;
-    if dynamics.is_empty() && !dynamics_outputs::a_force_may_be_unread(scope) {
+    if dynamics.is_empty() && !named_efforts::a_force_may_be_unread(scope) {
         let message =
             format!("nothing has mass and nothing acts, so there are no forces beside `{name}`");
         let reason = "an output of rates and loads stands in the result of `forces`; of rates \
@@ -50,7 +48,7 @@ pub(super) fn give_formula(
     let is_known = scope.mechanism.outputs.iter().any(|output| output.field == *name)
         || dynamics.asked.iter().any(|asked| asked.is_formula(name));
     if is_known {
-        return output_is_given_twice(scope, name.span(), &name.to_string());
+        return given::output_is_given_twice(scope, name.span(), &name.to_string());
     }
     let dynamics = &mut scope.mechanism.dynamics;
     let effort = Effort::Formula(FormulaId(dynamics.formulas.len() as u32));
@@ -61,10 +59,6 @@ pub(super) fn give_formula(
     dynamics.asked.push(RequestedEffort { owner, field, docs: docs.to_vec(), effort });
 }
 
-pub(super) fn output_is_given_twice(scope: &mut Scope<'_>, at: Span, path: &str) {
-    scope.diagnostics.error(at, format!("the output `{path}` is given twice; remove one"));
-}
-
 /// `theta.drive`, `shock.force`, `low.gap` in an output; `None` if it is about no force.
 pub(super) fn effort_read(
     scope: &mut Scope<'_>,
@@ -72,7 +66,7 @@ pub(super) fn effort_read(
     member: &Ident,
 ) -> Option<Option<ResolvedExpr>> {
     if let Some(Kind::Spring) = scope.names.kind(owner) {
-        let effort = spring::effort_of_spring(scope, owner, member);
+        let effort = named_efforts::effort_of_spring(scope, owner, member);
         return Some(effort.and_then(|effort| reading(scope, member, effort, 0)));
     }
     let whole = (owner == "shaking").then(|| ["x", "y", "couple"].iter().position(|p| member == p));
@@ -85,20 +79,8 @@ pub(super) fn effort_read(
 
 /// `losses` in an output.
 pub(super) fn losses_read(scope: &mut Scope<'_>, name: &Ident) -> Option<ResolvedExpr> {
-    something_rubs(scope, name)?;
+    named_efforts::something_rubs(scope, name)?;
     reading(scope, name, Effort::Losses, 0)
-}
-
-pub(super) fn something_rubs(scope: &mut Scope<'_>, name: &Ident) -> Option<()> {
-    if !scope.mechanism.dynamics.frictions.is_empty()
-        || dynamics_outputs::a_force_may_be_unread(scope)
-    {
-        return Some(());
-    }
-    let message = "nothing rubs, so there are no losses";
-    let reason = "as in `friction 0.1 at C radius 8mm`";
-    scope.diagnostics.error_because(name.span(), message, reason);
-    None
 }
 
 /// An effort of one number; of a reaction a part is read.
@@ -141,7 +123,7 @@ pub(super) fn friction_is_at_a_joint(scope: &mut Scope<'_>, owner: &Ident, membe
     });
     let known: Vec<_> = joints.map(|(joint, _)| format!("`{owner}.{joint}.friction`")).collect();
     let (message, reason) = match &known[..] {
-        [] if dynamics_outputs::a_force_may_be_unread(scope) => return,
+        [] if named_efforts::a_force_may_be_unread(scope) => return,
         [] => (
             format!("nothing rubs at a joint of `{owner}`"),
             format!(
@@ -191,7 +173,7 @@ pub(super) fn part_output(
     if part == "friction" {
         let Some(effort) = friction_named(scope, owner, member, part) else { return };
         let field = format_ident!("{member}_friction", span = member.span());
-        return dynamics_outputs::ask(scope, docs, owner, &field, effort);
+        return named_efforts::ask(scope, docs, owner, &field, effort);
     }
     let (message, reason) = match part.to_string().as_str() {
         "x" | "y" => (
@@ -224,7 +206,7 @@ fn friction_named(
         Effort::GuideFriction(link) => friction.contact == Contact::Guide(link),
         _ => rubs_at(friction.contact, link, effort),
     });
-    if rubs || dynamics_outputs::a_force_may_be_unread(scope) {
+    if rubs || named_efforts::a_force_may_be_unread(scope) {
         return Some(effort);
     }
     let message = format!("nothing rubs at `{owner}.{member}`");
@@ -238,7 +220,7 @@ fn friction_named(
 
 /// A component of an effort, which an output reads.
 fn reading(scope: &mut Scope<'_>, at: &Ident, effort: Effort, part: usize) -> Option<ResolvedExpr> {
-    unknown::effort_is_known(scope, at, effort)?;
+    named_efforts::effort_is_known(scope, at, effort)?;
     let reads = Reads::an_effort(effort);
     let measure = Measure::Known(dimension_of(scope, effort, part));
     Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, Scalar::Effort(effort, part)) })

@@ -4,12 +4,12 @@ use crate::exact::Exact;
 use crate::function::Function;
 use crate::syntax::tree;
 
-use super::dimension::Measure;
-use super::drawn::printed::text;
-use super::expressions::ResolvedExpr;
-use super::mechanism::{AboveZero, Dimension, Scalar};
-use super::numbers;
-use super::scope::Scope;
+use crate::model::as_written::text;
+use crate::model::dimension::Measure;
+use crate::model::fits;
+use crate::model::mechanism::{AboveZero, Dimension, Scalar};
+use crate::model::resolved_expr::ResolvedExpr;
+use crate::model::scope::Scope;
 
 /// A power by a known integer is one of units, too; any other is a number of numbers.
 pub(super) fn measure_of_power(
@@ -17,9 +17,9 @@ pub(super) fn measure_of_power(
     arguments: &[tree::Expr],
     values: &[ResolvedExpr],
 ) -> Option<Measure> {
-    numbers::dimension_fits(scope, &arguments[1], &values[1], Dimension::NUMBER)?;
+    fits::dimension_fits(scope, &arguments[1], &values[1], Dimension::NUMBER)?;
     let Some(times) = known_integer(&values[1]) else {
-        numbers::dimension_fits(scope, &arguments[0], &values[0], Dimension::NUMBER)?;
+        fits::dimension_fits(scope, &arguments[0], &values[0], Dimension::NUMBER)?;
         return Some(Measure::NUMBER);
     };
     if times.abs() > Function::LARGEST_POWER {

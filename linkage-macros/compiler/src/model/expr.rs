@@ -2,6 +2,7 @@
 
 use crate::exact::Exact;
 use crate::function::Function;
+
 use crate::model::effort::Effort;
 use crate::model::ids::{
     GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,

@@ -6,78 +6,15 @@ use crate::diagnostics::Extent;
 use crate::exact::Exact;
 use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
-use super::dimension::Measure;
-use super::mechanism::{AngleSum, Dimension, LinkId, Operator, ParamKind, Scalar};
-use super::names::{Entity, Kind, NUMBERS};
-use super::reads::{Allowed, Reads};
-use super::scope::Scope;
-use super::statements::{drive_by, named, spring};
-use super::{calls, effort_formulas, literals, readings, uses};
-
-/// A resolved expression: Σ kᵢ·linkᵢ.angle + rest.
-pub(super) struct ResolvedExpr {
-    pub measure: Measure,
-    pub links: Vec<(LinkId, i32)>,
-    pub rest: Scalar,
-    pub reads: Reads,
-}
-
-/// Why a link's angle stands only in sums, times an integer.
-pub(super) const ANGLE_REASON: &str = "a link's angle is known up to whole turns: it stands in \
-     sums of angles, times an integer, because other ratios jump at ±π";
-
-/// The function of two points.
-pub(super) const DISTANCE: &str = "distance";
-
-/// The function of a point and a guide.
-pub(super) const OFFSET: &str = "offset";
-
-/// The function that forces alone may depend on.
-pub(super) const RATE: &str = "rate";
-
-impl ResolvedExpr {
-    pub(super) fn plain(measure: Measure, rest: Scalar) -> Self {
-        Self { measure, links: Vec::new(), rest, reads: Reads::default() }
-    }
-
-    pub(super) fn constant(measure: Measure, value: Exact) -> Self {
-        Self::plain(measure, Scalar::Constant(value))
-    }
-
-    pub(super) fn turn(self) -> AngleSum {
-        AngleSum { links: self.links, rest: self.rest }
-    }
-
-    /// Keeps every multiple within ±(2³¹ − 1), so that a sign can always be changed.
-    fn scale_links(&mut self, factor: i32) -> Option<()> {
-        for (_, k) in &mut self.links {
-            *k = k.checked_mul(factor).filter(|&k| k != i32::MIN)?;
-        }
-        self.links.retain(|&(_, k)| k != 0);
-        Some(())
-    }
-
-    /// Divides every multiple of a link angle, if that leaves integers.
-    fn divide_links(&mut self, divisor: &Exact) -> Option<()> {
-        for (_, k) in &mut self.links {
-            let ratio = Exact::integer(i64::from(*k)).div(divisor)?.to_integer()?;
-            *k = i32::try_from(ratio).ok().filter(|&k| k != i32::MIN)?;
-        }
-        Some(())
-    }
-
-    fn add_links(&mut self, links: &[(LinkId, i32)], sign: i32) -> Option<()> {
-        for &(link, k) in links {
-            let k = k.checked_mul(sign)?;
-            match self.links.iter_mut().find(|(known, _)| *known == link) {
-                Some((_, sum)) => *sum = sum.checked_add(k).filter(|&k| k != i32::MIN)?,
-                None => self.links.push((link, k)),
-            }
-        }
-        self.links.retain(|&(_, k)| k != 0);
-        Some(())
-    }
-}
+use crate::model::dimension::Measure;
+use crate::model::mechanism::{Dimension, LinkId, Operator, ParamKind, Scalar};
+use crate::model::names::{Entity, Kind, NUMBERS};
+use crate::model::reads::Allowed;
+use crate::model::resolved_expr::{ANGLE_REASON, DISTANCE, OFFSET, RATE, ResolvedExpr};
+use crate::model::scope::Scope;
+use crate::model::{
+    calls, effort_formulas, laws, literals, loads_in_forces, rates, readings, uses,
+};
 
 /// Resolves an expression of a dimension, and reports every mistake in it.
 pub(super) fn quantity(scope: &mut Scope<'_>, expr: &tree::Expr) -> Option<ResolvedExpr> {
@@ -123,8 +60,10 @@ pub(super) fn expression(
             let quantity = match () {
                 () if function == DISTANCE => readings::distance(scope, function, arguments),
                 () if function == OFFSET => readings::offset_from_guide(scope, function, arguments),
-                () if function == RATE => spring::rate(scope, function, arguments, allowed),
-                () => calls::call(scope, function, arguments, allowed),
+                () if function == RATE => {
+                    rates::rate(scope, function, arguments, allowed, expression)
+                }
+                () => calls::call(scope, function, arguments, allowed, expression),
             }?;
             literals::number_is_of_a_length(scope, expr.span, quantity.rest.constant())?;
             Some(quantity)
@@ -178,7 +117,7 @@ fn operation(
 
 fn named_number(scope: &mut Scope<'_>, name: &Ident, allowed: Allowed) -> Option<ResolvedExpr> {
     if scope.names.kind(name) == Some(Kind::Load) {
-        return drive_by::value_of_load(scope, name, allowed);
+        return loads_in_forces::value_of_load(scope, name, allowed);
     }
     match uses::usable(scope, name, &NUMBERS)? {
         Entity::Input(id) => {
@@ -195,7 +134,7 @@ fn named_number(scope: &mut Scope<'_>, name: &Ident, allowed: Allowed) -> Option
             Some(ResolvedExpr::plain(measure, Scalar::Param(id)))
         }
         entity @ (Entity::Let(_) | Entity::Law(_)) => {
-            named::value_of_let(scope, name, entity, allowed)
+            laws::value_of_let(scope, name, entity, allowed)
         }
         Entity::Unknown(id) => {
             let measure = Measure::Known(scope.mechanism.unknowns[id.index()].dimension);
@@ -302,21 +241,4 @@ fn link_angles_are_whole_multiples(
     let message = format!("`{name}.angle` can be multiplied by an integer only");
     scope.diagnostics.error_because(span, message, ANGLE_REASON);
     None
-}
-
-/// "3 are", "1 is"
-pub(super) fn counted(count: usize) -> String {
-    match count {
-        0 => "none is".into(),
-        1 => "one is".into(),
-        _ => format!("{count} are"),
-    }
-}
-
-/// The name of an expression that is a bare name.
-pub(super) fn bare_name(expr: &tree::Expr) -> Option<&Ident> {
-    match &expr.kind {
-        ExprKind::Name(name) => Some(name),
-        _ => None,
-    }
 }

@@ -1,19 +1,16 @@
 //! Facts that the rules remember about things already made, beside the mechanism itself.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Span;
 
 use crate::diagnostics::Extent;
 use crate::exact::Exact;
 use crate::reach::line::BodyLine;
-use crate::syntax::tree::Declaration;
 
-use super::dimension::Measure;
-use super::literals::longest_in_small_units;
-use super::mechanism::{Carrier, GuideId, PointId, Scalar};
-use super::names::Entity;
-use super::reads::Reads;
-use super::searched::Searched;
-use super::statements::drive_by;
+use crate::model::dimension::Measure;
+use crate::model::mechanism::{Carrier, GuideId, PointId, Scalar};
+use crate::model::names::Entity;
+use crate::model::reads::Reads;
+use crate::model::searched::Searched;
 
 #[derive(Default)]
 pub(super) struct Facts {
@@ -108,9 +105,7 @@ struct Location {
 
 impl Facts {
     /// The facts that hold before the first statement is resolved.
-    pub(super) fn of(tree: &Declaration) -> Self {
-        let longest_in_small_units = longest_in_small_units(tree);
-        let driving = drive_by::named_by(tree).map(Ident::to_string);
+    pub(super) fn of(longest_in_small_units: Option<Exact>, driving: Option<String>) -> Self {
         Self { longest_in_small_units, driving, ..Self::default() }
     }
 

@@ -3,45 +3,13 @@
 use proc_macro2::Span;
 
 use crate::diagnostics::nearest;
-use crate::syntax::tree::{Expr, GroupField, GroupFieldValue, GroupStatement};
-
-use super::names::listed;
-use super::scope::Scope;
-use super::{modes, uses};
 use crate::syntax::anatomy::{FieldRule, GroupSpec, Needed};
+use crate::syntax::tree::{GroupField, GroupFieldValue, GroupStatement};
 
-/// The fields that are known and of the right shape.
-pub(super) struct Fields<'t> {
-    known: Vec<(&'static str, &'t GroupFieldValue)>,
-    /// Fields that are there in some form, right or wrong: none of these is missing.
-    present: Vec<&'static str>,
-    all_are_read: bool,
-}
-
-impl<'t> Fields<'t> {
-    pub(super) fn one(&self, name: &str) -> Option<&'t Expr> {
-        match self.value(name)? {
-            GroupFieldValue::One(value) => Some(value),
-            GroupFieldValue::Pair(_) => None,
-        }
-    }
-
-    pub(super) fn pair(&self, name: &str) -> Option<&'t [Expr; 2]> {
-        match self.value(name)? {
-            GroupFieldValue::One(_) => None,
-            GroupFieldValue::Pair(values) => Some(values),
-        }
-    }
-
-    /// True if the field is absent and its default holds.
-    pub(super) fn is_left_out(&self, name: &str) -> bool {
-        self.all_are_read && !self.present.contains(&name)
-    }
-
-    fn value(&self, name: &str) -> Option<&'t GroupFieldValue> {
-        self.known.iter().find(|(known, _)| *known == name).map(|&(_, value)| value)
-    }
-}
+use crate::model::names::listed;
+use crate::model::parts_of_groups::Fields;
+use crate::model::scope::Scope;
+use crate::model::{modes, uses};
 
 pub(super) fn fields<'t>(
     scope: &mut Scope<'_>,

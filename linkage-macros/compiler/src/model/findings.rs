@@ -1,8 +1,9 @@
 //! Facts that constant dimensions fix about groups before anything is solved, for their docs.
 
 use crate::exact::Exact;
-use crate::model::ids::{GroupId, InputId, LinkId, PointId};
 use crate::reach::turn::Turn;
+
+use crate::model::ids::{GroupId, InputId, LinkId, PointId};
 
 /// Facts that constants fix about a group.
 pub(crate) struct Known {

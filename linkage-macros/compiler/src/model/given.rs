@@ -3,10 +3,9 @@
 use proc_macro2::{Ident, Span};
 use syn::Attribute;
 
-use super::effort_formulas;
-use super::mechanism::{DeclaredOutput, LinkId, OutputKind, Scalar};
-use super::names::Entity;
-use super::scope::Scope;
+use crate::model::mechanism::{DeclaredOutput, LinkId, OutputKind, Scalar};
+use crate::model::names::Entity;
+use crate::model::scope::Scope;
 
 /// A point, a link, an unknown or a named expression as an output, under its own name.
 pub(super) fn whole(scope: &Scope<'_>, entity: Entity) -> Option<DeclaredOutput> {
@@ -79,7 +78,11 @@ pub(super) fn give(
     if scope.mechanism.outputs.iter().any(|output| output.field == field)
         || asked.iter().any(|asked| asked.is_formula(&field))
     {
-        return effort_formulas::output_is_given_twice(scope, span, &field.to_string());
+        return output_is_given_twice(scope, span, &field.to_string());
     }
     scope.mechanism.outputs.push(DeclaredOutput { field, docs: docs.to_vec(), kind });
+}
+
+pub(super) fn output_is_given_twice(scope: &mut Scope<'_>, at: Span, path: &str) {
+    scope.diagnostics.error(at, format!("the output `{path}` is given twice; remove one"));
 }

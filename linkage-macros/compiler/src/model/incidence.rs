@@ -3,9 +3,10 @@
 //! A group is a way to solve some joints. Owners, carriers and motion are read from the joints, once
 //! for all kinds of groups. Code matches a kind only where formulas, words or shapes are its own.
 
+use crate::syntax::anatomy::Class;
+
 use super::expr::{AngleSum, Scalar};
 use super::ids::{GroupId, GuideId, LinkId, ParamId, PointId};
-use crate::syntax::anatomy::Class;
 
 /// A body that joints connect and that forces act on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

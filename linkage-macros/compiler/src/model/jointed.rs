@@ -4,27 +4,14 @@ use crate::exact::Exact;
 use crate::syntax::anatomy::JointRule;
 use crate::syntax::tree;
 
-use super::expressions::bare_name;
-use super::mechanism::{
-    AngleSum, Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId,
-    Scalar, Slideway,
+use crate::model::mechanism::{
+    Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId, Scalar,
+    Slideway,
 };
-use super::scope::Scope;
-use super::statements::group::{OuterJoint, Parts};
-use super::{assembly, modes, numbers, uses};
-
-/// The numbers that the fields of a group give, as far as they are right.
-pub(super) struct Dimensions {
-    /// By link.
-    pub lengths: Vec<Option<Length>>,
-    pub angle: Option<AngleSum>,
-    relative_to: Option<Carrier>,
-    slide: Option<Scalar>,
-    pub slot: Option<AngleSum>,
-    /// In the order of the statement.
-    pub offsets: Option<Vec<Scalar>>,
-    assembly: Option<Assembly>,
-}
+use crate::model::parts_of_groups::{Dimensions, OuterJoint, Parts};
+use crate::model::resolved_expr::bare_name;
+use crate::model::scope::Scope;
+use crate::model::{assembly, fits, modes, numbers, uses};
 
 impl Parts<'_> {
     /// Tells whether the link has its outer joint at one end and the pin at the other.
@@ -116,7 +103,7 @@ fn lengths_of_bars(scope: &mut Scope<'_>, parts: &Parts) -> Vec<Option<Length>> 
 /// The length of a bar, positive as far as that is known.
 fn bar_length(scope: &mut Scope<'_>, expr: &tree::Expr, link: &str) -> Option<Length> {
     let value = numbers::length(scope, expr)?;
-    numbers::length_is_positive(scope, expr, &value, &format!("the length of `{link}`"))?;
+    fits::length_is_positive(scope, expr, &value, &format!("the length of `{link}`"))?;
     let name = match bare_name(expr) {
         Some(name) => name.to_string(),
         None => format!("length of {link}"),

@@ -4,10 +4,10 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::nearest;
 
-use super::mechanism::Dimension;
-use super::names::listed;
-use super::scope::Scope;
-use super::units::unit;
+use crate::model::mechanism::Dimension;
+use crate::model::names::listed;
+use crate::model::scope::Scope;
+use crate::model::units::unit;
 
 /// Kinds of inputs and of unknowns.
 pub(super) const KINDS: [&str; 2] = ["angle", "length"];

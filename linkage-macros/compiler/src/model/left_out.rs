@@ -3,10 +3,11 @@
 //! `distance(P, Q) = l` is a bar without mass between two pins, `offset(P, guide) = h` a block on the
 //! guide, pinned at P. Any other equation may be held by a drive on either side, and nobody says which.
 
+use crate::exact::Exact;
+
 use super::mechanism::{
     Drive, Equation, Group, Joint, LinkId, Mechanism, Scalar, Slideway, Step, UnknownId,
 };
-use crate::exact::Exact;
 
 impl Mechanism {
     /// True if bodies hold every equation, so that all reactions are known.

@@ -3,10 +3,13 @@
 use proc_macro2::Ident;
 use quote::format_ident;
 
-use super::acting::Effort;
-use super::drawn::joints;
-use super::mechanism::{Body, Group, JointKind, LinkId, Mechanism, PointId, Slideway};
-use super::scope::Scope;
+use crate::model::acting::Effort;
+use crate::model::drawn_sliding;
+use crate::model::mechanism::{Body, Group, JointKind, LinkId, Mechanism, PointId, Slideway};
+use crate::model::scope::Scope;
+
+/// Parts of a link that are outputs.
+pub(in crate::model) const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
 
 /// The efforts of a link: each field with its effort.
 pub(super) type Efforts = Vec<(Ident, Effort)>;
@@ -65,7 +68,8 @@ fn of_group(scope: &Scope<'_>, group: &Group, link: LinkId) -> Efforts {
                 efforts.push((point_name(scope, *point), Effort::Pin(link, *point)));
             }
             // A slide of a drawing is named by its guide.
-            JointKind::Prismatic { .. } if joints::is_drawn_sliding(scope, name).is_some() => {}
+            JointKind::Prismatic { .. }
+                if drawn_sliding::is_drawn_sliding(scope, name).is_some() => {}
             JointKind::Prismatic { along, .. } => {
                 let by = match along {
                     Slideway::Guide(guide) => &guides[guide.index()].name,

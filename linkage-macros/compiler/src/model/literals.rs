@@ -4,19 +4,17 @@ use proc_macro2::Ident;
 
 use crate::diagnostics::{Extent, nearest};
 use crate::exact::Exact;
-use crate::syntax::tree::{self, BinaryOp, Declaration, ExprKind, UnitPower};
+use crate::reach::absolute;
+use crate::syntax::tree::{self, BinaryOp, ExprKind, UnitPower};
 use crate::syntax::words::UNITS;
 
-use super::dimension::Measure;
-use super::expressions::ResolvedExpr;
-use super::expressions::bare_name;
-use super::folding::shown;
-use super::mechanism::{Dimension, ParamKind, Scalar};
-use super::names::NUMBERS;
-use super::references::expressions;
-use super::scope::Scope;
-use super::units::{is_beside_si, unit};
-use crate::reach::absolute;
+use crate::model::dimension::Measure;
+use crate::model::folding::shown;
+use crate::model::mechanism::{Dimension, ParamKind, Scalar};
+use crate::model::names::NUMBERS;
+use crate::model::resolved_expr::{ResolvedExpr, bare_name};
+use crate::model::scope::Scope;
+use crate::model::units::{is_beside_si, unit};
 
 /// A bare length from which on a unit is asked for, in metres: few mechanisms are as long, and most
 /// numbers of millimetres are longer.
@@ -288,25 +286,6 @@ pub(super) fn bare_lengths_are_of_a_machine(scope: &mut Scope<'_>) {
     }
     let (length, span) = (length.clone(), *span);
     length_needs_its_unit(scope, span, &length, "no length of this declaration has a unit");
-}
-
-/// The longest length with a unit, where each of them is in a unit smaller than a metre.
-pub(super) fn longest_in_small_units(tree: &Declaration) -> Option<Exact> {
-    let (mut longest, mut has_metres) = (None, false);
-    let mut note = |expr: &tree::Expr| {
-        let ExprKind::Number { digits, units } = &expr.kind else { return };
-        let [(name, 1)] = &units[..] else { return };
-        let Some((Dimension::LENGTH, factor)) = unit(name) else { return };
-        has_metres |= name == "m";
-        let Some(value) = Exact::decimal(digits).map(|value| value.mul(&factor)) else { return };
-        if longest.as_ref().is_none_or(|longest| value.cmp_value(longest).is_gt()) {
-            longest = Some(value);
-        }
-    };
-    for statement in &tree.statements {
-        expressions(statement, &mut |expr| expr.each_part(&mut note));
-    }
-    longest.filter(|longest: &Exact| !has_metres && !longest.is_zero())
 }
 
 /// True if the expression is a number with a unit beside the SI unit of this dimension, or a product with one.

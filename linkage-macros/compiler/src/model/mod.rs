@@ -12,14 +12,19 @@
 
 pub(crate) mod acting;
 pub(crate) mod as_drawn;
+mod as_written;
 mod assembly;
+mod begun;
 mod calls;
 mod class_three;
 mod coincidence;
 mod declared;
 mod dimension;
 mod drawn;
+mod drawn_joints;
+mod drawn_links;
 mod drawn_relations;
+mod drawn_sliding;
 mod dynamics_outputs;
 mod effort;
 mod effort_formulas;
@@ -29,45 +34,59 @@ mod expressions;
 mod facts;
 mod fields;
 mod findings;
+mod fits;
 mod folding;
 mod given;
 mod ids;
 mod incidence;
 mod jointed;
 mod kinds;
+mod laws;
 mod left_out;
 mod link_efforts;
 mod literals;
+mod loads_in_forces;
 pub(crate) mod mechanism;
 pub(crate) mod modes;
+mod named_efforts;
 mod names;
 mod needs;
 mod numbers;
+mod on_drawn_links;
 mod order;
+mod parts_of_groups;
+mod rates;
 mod readings;
 mod reads;
 mod references;
 mod relations;
+mod resolved_expr;
 mod rotatability;
 mod scope;
 mod searched;
+mod shifts;
 mod statements;
 mod step;
 mod stub;
 mod titles;
 pub(crate) mod units;
+mod unused;
 mod uses;
 
 #[cfg(test)]
 mod tests;
+mod walk;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Declaration, Statement};
+use crate::model::drawn_links::DrawnLinks;
+use crate::model::mechanism::Mechanism;
+use crate::model::scope::Scope;
+use crate::model::statements::contacts;
+use crate::model::statements::output;
+use crate::model::statements::unknowns;
+use crate::syntax::tree::Declaration;
 
-use mechanism::Mechanism;
-use scope::Scope;
 pub(crate) use statements::drive_by::load_does_no_work;
-use statements::{acts, friction, input, output, rules, unknown};
 
 /// The stub of a declaration in which something was reported.
 pub(crate) struct Stub(pub Box<Mechanism>);
@@ -104,8 +123,8 @@ pub(crate) fn stub(tree: &Declaration) -> Mechanism {
 /// The stub of a drawing, which may not be one of drivers and groups. Mistakes were reported.
 fn stub_of_drawing(tree: &Declaration, diagnostics: &mut Diagnostics) -> Mechanism {
     let reported = diagnostics.count();
-    let mut scope = Scope::new(tree, &tree.unread, diagnostics);
-    statements(&mut scope, tree);
+    let mut scope = begun::scope(tree, &tree.unread, diagnostics);
+    walk::statements(&mut scope, tree);
     let stub = stub::stub(scope, tree);
     diagnostics.forget_since(reported);
     stub
@@ -115,7 +134,7 @@ fn stub_of_drawing(tree: &Declaration, diagnostics: &mut Diagnostics) -> Mechani
 fn resolve_groups(
     tree: &Declaration,
     diagnostics: &mut Diagnostics,
-    drawn: &drawn::DrawnLinks,
+    drawn: &DrawnLinks,
 ) -> Option<Mechanism> {
     let scope = walked(tree, diagnostics, Some(drawn));
     (scope.diagnostics.count() == 0).then_some(scope.mechanism)
@@ -125,38 +144,23 @@ fn resolve_groups(
 fn walked<'d>(
     tree: &'d Declaration,
     diagnostics: &'d mut Diagnostics,
-    drawn: Option<&'d drawn::DrawnLinks>,
+    drawn: Option<&'d DrawnLinks>,
 ) -> Scope<'d> {
-    let mut scope = Scope::new(tree, &tree.unread, diagnostics);
+    let mut scope = begun::scope(tree, &tree.unread, diagnostics);
     scope.drawn = drawn;
     scope.names.hide(drawn.map_or(&[], |drawn| &drawn.names));
-    statements(&mut scope, tree);
-    unknown::every_unknown_is_solved(&mut scope, tree);
-    drawn::joints::links_are_as_drawn(&mut scope);
-    friction::frictions(&mut scope, tree);
+    walk::statements(&mut scope, tree);
+    unknowns::every_unknown_is_solved(&mut scope, tree);
+    drawn_joints::links_are_as_drawn(&mut scope);
+    contacts::frictions(&mut scope, tree);
     output::outputs(&mut scope, tree);
     order::statements_are_in_order(&mut scope, tree);
     literals::bare_lengths_are_of_a_machine(&mut scope);
-    input::an_input_is_declared(&mut scope, tree);
-    input::every_input_is_used(&mut scope, tree, drawn.is_some());
-    acts::actions_have_an_effect(&mut scope, tree);
+    unused::an_input_is_declared(&mut scope, tree);
+    unused::every_input_is_used(&mut scope, tree, drawn.is_some());
+    unused::actions_have_an_effect(&mut scope, tree);
     scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);
     rotatability::cranks_can_turn(&mut scope);
-    unknown::ends_can_be_assembled(&mut scope);
+    unknowns::ends_can_be_assembled(&mut scope);
     scope
-}
-
-fn statements(scope: &mut Scope<'_>, tree: &Declaration) {
-    for (index, next) in tree.statements.iter().enumerate() {
-        scope.names.go_to(index);
-        statement(scope, next);
-        unknown::note_what_follows(scope, next);
-    }
-    scope.names.go_to(tree.statements.len());
-}
-
-fn statement(scope: &mut Scope<'_>, statement: &Statement) {
-    // What a statement makes moves if anything that it uses does.
-    let moves = uses::uses(scope, statement, |scope, entity| scope.facts.moves(entity));
-    rules(statement).resolve(scope, &statement.docs, moves);
 }

@@ -3,15 +3,15 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::nearest;
+use crate::syntax::anatomy::{GroupSpec, Modes};
 use crate::syntax::tree::{Expr, GroupStatement};
 
-use super::expressions::bare_name;
-use super::fields::Fields;
-use super::mechanism::{Mode, ParamKind, Sign};
-use super::names::{Entity, Kind};
-use super::scope::Scope;
-use super::uses;
-use crate::syntax::anatomy::{GroupSpec, Modes};
+use crate::model::mechanism::{Mode, ParamKind, Sign};
+use crate::model::names::{Entity, Kind};
+use crate::model::parts_of_groups::Fields;
+use crate::model::resolved_expr::bare_name;
+use crate::model::scope::Scope;
+use crate::model::uses;
 
 impl Modes {
     fn sign(self, word: &str) -> Option<Sign> {

@@ -8,12 +8,9 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{Declaration, Statement, StatementKind};
-
-use super::mechanism::{
+use crate::model::mechanism::{
     GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
 };
-use super::statements::rules;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -112,8 +109,9 @@ pub(super) struct Names {
 }
 
 impl Names {
-    pub(super) fn collect(tree: &Declaration) -> Self {
-        let mut names = Self {
+    /// Names of which none is declared yet; `solved` are those behind `solve`.
+    pub(super) fn new(solved: HashSet<String>) -> Self {
+        Self {
             symbols: Vec::new(),
             by_name: HashMap::new(),
             current: 0,
@@ -121,33 +119,17 @@ impl Names {
             reported_unknown: HashSet::new(),
             number_is_unknown: false,
             use_is_hidden: false,
-            solved: tree.statements.iter().filter_map(solved).collect(),
+            solved,
             pins: HashSet::new(),
-        };
-        for (index, statement) in tree.statements.iter().enumerate() {
-            for (name, kind) in declared_by(statement) {
-                let name = name.to_string();
-                if names.by_name.contains_key(&name) {
-                    continue;
-                }
-                names.by_name.insert(name.clone(), names.symbols.len());
-                let made_by = title(statement, &name);
-                let is_a_pin =
-                    kind == Kind::Point && matches!(statement.kind, StatementKind::Group(_));
-                names.symbols.push(Symbol {
-                    name,
-                    kind,
-                    statement: index,
-                    made_by,
-                    is_a_pin,
-                    entity: None,
-                    declared: false,
-                    is_hidden: false,
-                    ambiguous: false,
-                });
-            }
         }
-        names
+    }
+
+    /// Adds a name that is not among them yet.
+    pub(super) fn add(&mut self, symbol: Symbol) {
+        if !self.by_name.contains_key(&symbol.name) {
+            self.by_name.insert(symbol.name.clone(), self.symbols.len());
+            self.symbols.push(symbol);
+        }
     }
 
     /// No message proposes these names.
@@ -200,23 +182,6 @@ impl Names {
     pub(super) fn symbol(&self, name: &Ident) -> Option<&Symbol> {
         self.by_name.get(&name.to_string()).map(|&index| &self.symbols[index])
     }
-}
-
-fn solved(statement: &Statement) -> Option<String> {
-    match &statement.kind {
-        StatementKind::Solve(solve) => Some(solve.unknown.to_string()),
-        _ => None,
-    }
-}
-
-/// The names a statement declares.
-pub(super) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
-    rules(statement).declares()
-}
-
-/// The statement that declares `name`, as messages call it.
-pub(super) fn title(statement: &Statement, name: &str) -> String {
-    rules(statement).title(name)
 }
 
 /// "a, b or c"

@@ -6,8 +6,8 @@ use proc_macro2::Ident;
 
 use crate::syntax::tree::{Declaration, Statement};
 
-use super::names::declared_by;
-use super::references::names_used;
+use crate::model::references::names_used;
+use crate::model::statements::declared_by;
 
 /// The statement that makes what has this name.
 pub(super) fn maker(tree: &Declaration, name: &Ident) -> Option<usize> {

@@ -7,12 +7,12 @@ use proc_macro2::Ident;
 
 use crate::syntax::tree::{Declaration, StatementKind};
 
-use super::class_three;
-use super::names::{Entity, declared_by, listed, title};
-use super::needs::Needs;
-use super::reads::{Allowed, Reads};
-use super::scope::Scope;
-use super::statements::named;
+use crate::model::names::{Entity, listed};
+use crate::model::needs::Needs;
+use crate::model::reads::{Allowed, Reads};
+use crate::model::scope::Scope;
+use crate::model::statements::{declared_by, title};
+use crate::model::{class_three, laws};
 
 const TWO_UNKNOWNS: &str = "only drivers and dyads are solved in closed form; drive the chain at another \
                             link, so that each dyad stands on what is known";
@@ -35,7 +35,7 @@ fn law_in_a_dimension(scope: &Scope<'_>, tree: &Declaration) -> Option<(Ident, R
 pub(super) fn statements_are_in_order(scope: &mut Scope<'_>, tree: &Declaration) {
     if let Some((name, reads)) = law_in_a_dimension(scope, tree) {
         // No order would help.
-        named::law_stands_here(scope, &name, &reads, Allowed::IN_DIMENSIONS);
+        laws::law_stands_here(scope, &name, &reads, Allowed::IN_DIMENSIONS);
         return;
     }
     let Some(first) = scope.names.too_early.first() else {

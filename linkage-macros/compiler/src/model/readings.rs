@@ -5,14 +5,13 @@ use proc_macro2::Ident;
 use crate::syntax::expression::FRICTION;
 use crate::syntax::tree;
 
-use super::dimension::Measure;
-use super::drawn::joints;
-use super::expressions::{ResolvedExpr, bare_name, counted};
-use super::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar, Step};
-use super::names::Kind;
-use super::reads::{Allowed, Reads};
-use super::scope::Scope;
-use super::{dynamics_outputs, effort_formulas, uses};
+use crate::model::dimension::Measure;
+use crate::model::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar, Step};
+use crate::model::names::Kind;
+use crate::model::reads::{Allowed, Reads};
+use crate::model::resolved_expr::{ResolvedExpr, bare_name, counted};
+use crate::model::scope::Scope;
+use crate::model::{drawn_sliding, dynamics_outputs, effort_formulas, uses};
 
 /// Words under which a user may look for a rate among the members of a point.
 const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
@@ -203,7 +202,7 @@ fn member_of_link(
         }),
         "slide" => {
             link_slides(scope, owner, link?, member)?;
-            let by = joints::slides_by(scope, owner, link?)?;
+            let by = drawn_sliding::slides_by(scope, owner, link?)?;
             Some(ResolvedExpr::plain(Measure::LENGTH, Scalar::Slide(by)))
         }
         "friction" if allowed.efforts => {
@@ -246,7 +245,7 @@ pub(super) fn link_slides(
         return Some(());
     }
     let (group, statement) = (link.made_by, scope.mechanism.statement(link.made_by));
-    let is_drawn = joints::is_drawn_sliding(scope, name).is_some();
+    let is_drawn = drawn_sliding::is_drawn_sliding(scope, name).is_some();
     let sliding = scope.mechanism.links.iter().find(|l| l.made_by == group && l.slides);
     let reason = match sliding {
         _ if is_drawn => {

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use super::acting::Effort;
+use crate::model::acting::Effort;
 
 /// Readings of an expression that no dimension may have.
 pub(super) struct Readings {

@@ -7,9 +7,8 @@ use proc_macro2::Ident;
 
 use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement};
 
-use super::mechanism::References;
-use super::names::{declared_by, title};
-use super::statements::rules;
+use crate::model::mechanism::References;
+use crate::model::statements::{declared_by, rules, title};
 
 impl References {
     pub(super) fn of(tree: &Declaration) -> Self {

@@ -1,12 +1,12 @@
 //! The state that the rules share while the statements of a declaration are resolved, one after the other.
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Declaration, Unread};
+use crate::syntax::tree::Unread;
 
-use super::drawn::DrawnLinks;
-use super::facts::Facts;
-use super::mechanism::{Mechanism, References};
-use super::names::Names;
+use crate::model::drawn_links::DrawnLinks;
+use crate::model::facts::Facts;
+use crate::model::mechanism::Mechanism;
+use crate::model::names::Names;
 
 /// What is declared so far, and where mistakes are reported.
 pub(super) struct Scope<'d> {
@@ -18,23 +18,4 @@ pub(super) struct Scope<'d> {
     pub facts: Facts,
     /// The links of a drawing as groups have made them.
     pub drawn: Option<&'d DrawnLinks>,
-}
-
-impl<'d> Scope<'d> {
-    /// The scope in front of the first statement.
-    pub(super) fn new(
-        tree: &Declaration,
-        unread: &'d Unread,
-        diagnostics: &'d mut Diagnostics,
-    ) -> Self {
-        let empty = Mechanism::empty(tree.docs.clone(), tree.visibility.clone(), tree.name.clone());
-        Self {
-            diagnostics,
-            unread,
-            names: Names::collect(tree),
-            mechanism: Mechanism { references: References::of(tree), ..empty },
-            facts: Facts::of(tree),
-            drawn: None,
-        }
-    }
 }

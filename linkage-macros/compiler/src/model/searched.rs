@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use super::mechanism::UnknownId;
-use super::names::Entity;
+use crate::model::mechanism::UnknownId;
+use crate::model::names::Entity;
 
 /// An unknown, and what its statement and those behind it have made of it.
 pub(super) struct Searched {

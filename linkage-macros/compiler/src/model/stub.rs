@@ -8,8 +8,6 @@ mod result_fields;
 #[cfg(test)]
 mod tests;
 
-use super::declared;
-use super::given;
 use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
@@ -19,16 +17,15 @@ use crate::syntax::tree::{
     self, Declaration, LinkStatement, OutputStatement, Statement, StatementKind,
 };
 
-use super::acting::{Dynamics, Effort, Magnitude, Mass, MassPlace, RequestedEffort};
-use super::dynamics_outputs;
-use super::mechanism::{
+use crate::model::acting::{Dynamics, Effort, Magnitude, Mass, MassPlace, RequestedEffort};
+use crate::model::mechanism::{
     DeclaredOutput, Dimension, GroupId, GroupName, Input, Mechanism, Numerics, OutputKind, PartOf,
     PointId, References, Scalar,
 };
-use super::names::{Entity, Kind, declared_by};
-use super::scope::Scope;
-use super::statements::output;
-use super::statements::rules;
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
+use crate::model::statements::{declared_by, output, rules};
+use crate::model::{declared, dynamics_outputs, given};
 
 const NUMBER: Dimension = Dimension::NUMBER;
 

@@ -1,8 +1,8 @@
 //! Titles of groups, springs, forces and inputs in errors.
 
-use super::acting::{Contact, Ends, Force, Spring};
 use crate::function::Function;
 
+use super::acting::{Contact, Ends, Force, Spring};
 use super::mechanism::{Carrier, Mechanism, PointId, Unknown};
 
 impl Mechanism {

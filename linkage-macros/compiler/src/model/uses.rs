@@ -3,13 +3,11 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::{Extent, nearest};
-
-use super::mechanism::{GuideId, LinkId, PointId};
-use super::names::{Entity, Kind, NUMBERS, Symbol, TooEarly, listed};
-use super::references::each_name_used;
-use super::scope::Scope;
-use crate::syntax::tree::Statement;
 use crate::syntax::words::{LIKELY_NAMES, UNITS};
+
+use crate::model::mechanism::{GuideId, LinkId, PointId};
+use crate::model::names::{Entity, Kind, NUMBERS, Symbol, TooEarly, listed};
+use crate::model::scope::Scope;
 
 /// A name is declared once.
 pub(super) fn name_is_new(scope: &mut Scope<'_>, name: &Ident) -> Option<()> {
@@ -79,19 +77,6 @@ pub(super) fn usable(scope: &mut Scope<'_>, name: &Ident, kinds: &[Kind]) -> Opt
         return None;
     }
     symbol.entity
-}
-
-/// True if the statement uses a name of which this is true.
-pub(super) fn uses(
-    scope: &Scope<'_>,
-    statement: &Statement,
-    asks: impl Fn(&Scope<'_>, Entity) -> bool,
-) -> bool {
-    let mut found = false;
-    each_name_used(statement, &mut |name| {
-        found = found || scope.names.entity(name).is_some_and(|entity| asks(scope, entity));
-    });
-    found
 }
 
 /// Remembers that an unknown name for a number may be an input, or hold one.

@@ -5,7 +5,7 @@
 use proc_macro2::{Delimiter, Group as Delimited, Ident, TokenTree};
 
 use super::anatomy::GroupSpec;
-use super::openings::{Ends, opening};
+use super::openings::{Ending, opening};
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{Expr, GroupField, GroupFieldValue, GroupStatement, Leg};
 use super::words;
@@ -136,7 +136,7 @@ impl Parser<'_> {
         let fields = match GroupSpec::of(&keyword.to_string()) {
             Some(anatomy) => anatomy.braces(),
             None => match opening(&keyword.to_string()).map(|opening| &opening.ends) {
-                Some(Ends::Braces(fields)) => fields.to_string(),
+                Some(Ending::Braces(fields)) => fields.to_string(),
                 _ => "{ … }".to_string(),
             },
         };

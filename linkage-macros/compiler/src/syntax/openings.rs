@@ -14,13 +14,13 @@ pub(crate) struct Opening {
     pub(super) parse: fn(&mut Parser<'_>, &Ident) -> Parse<StatementKind>,
     /// True where such a statement certainly begins at the word: it may be a name, too.
     pub(super) begins: fn(&Parser<'_>) -> bool,
-    pub(super) ends: Ends,
+    pub(super) ends: Ending,
     /// True if something has mass or acts by it.
     pub acts: bool,
 }
 
-/// How a statement ends.
-pub(super) enum Ends {
+/// The end of a statement.
+pub(super) enum Ending {
     Semicolon,
     /// Braces, with the fields that a message proposes.
     Braces(&'static str),
@@ -34,7 +34,7 @@ const fn plain(
     parse: fn(&mut Parser<'_>, &Ident) -> Parse<StatementKind>,
     begins: fn(&Parser<'_>) -> bool,
 ) -> Opening {
-    Opening { word, parse, begins, ends: Ends::Semicolon, acts: false }
+    Opening { word, parse, begins, ends: Ending::Semicolon, acts: false }
 }
 
 /// The opening of a statement by which something has mass or acts.
@@ -75,7 +75,7 @@ pub(crate) const OPENINGS: [Opening; 24] = [
     acting("force", |parser, _| parser.force(), has_a_value),
     acting("torque", |parser, _| parser.torque(), has_a_value),
     Opening {
-        ends: Ends::Braces("{ stiffness: …, free_length: … }"),
+        ends: Ending::Braces("{ stiffness: …, free_length: … }"),
         ..acting("spring", |parser, word| parser.spring(word), is_named)
     },
     // A load may have this name, as in `torque friction on AB`.
@@ -88,7 +88,7 @@ pub(crate) const OPENINGS: [Opening; 24] = [
         },
     ),
     Opening {
-        ends: Ends::Braces("{ stiffness: …, damping: … }"),
+        ends: Ending::Braces("{ stiffness: …, damping: … }"),
         ..acting("stop", |parser, word| parser.stop(word), is_named)
     },
     plain(
@@ -97,7 +97,7 @@ pub(crate) const OPENINGS: [Opening; 24] = [
         |parser| is_named(parser) && parser.is_punct(2, ':'),
     ),
     Opening {
-        ends: Ends::Braces("{ … }"),
+        ends: Ending::Braces("{ … }"),
         ..plain(
             "solve",
             |parser, _| parser.solve(),
@@ -105,7 +105,7 @@ pub(crate) const OPENINGS: [Opening; 24] = [
         )
     },
     plain("pin", |parser, _| parser.pins(), is_called),
-    Opening { ends: Ends::Either, ..plain("link", |parser, word| parser.links(word), is_called) },
+    Opening { ends: Ending::Either, ..plain("link", |parser, word| parser.links(word), is_called) },
     plain(
         "drive",
         |parser, _| parser.drive(),

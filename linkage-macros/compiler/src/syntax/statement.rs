@@ -6,7 +6,7 @@
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
-use super::openings::{Ends, opening};
+use super::openings::{Ending, opening};
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{
     Course, CrateStatement, ExportStatement, Expr, GroundStatement, GuideAnchor, GuideStatement,
@@ -23,9 +23,9 @@ impl Parser<'_> {
         let opening = opening(&keyword.to_string())?;
         let parsed = (opening.parse)(self, keyword);
         let has_braces = match opening.ends {
-            Ends::Semicolon => false,
-            Ends::Braces(_) => true,
-            Ends::Either => self.ended_with_braces(),
+            Ending::Semicolon => false,
+            Ending::Braces(_) => true,
+            Ending::Either => self.ended_with_braces(),
         };
         if parsed.is_ok() && !has_braces {
             self.semicolon();

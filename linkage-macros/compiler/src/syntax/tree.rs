@@ -2,18 +2,18 @@
 //!
 //! Every identifier and expression keeps its span, because every later message points at one.
 
-mod acting;
+mod actions;
 mod calculation;
-mod machine;
+mod kinematic;
 
 use std::collections::HashSet;
 
 use proc_macro2::Ident;
 use syn::{Attribute, Visibility};
 
-pub(crate) use acting::*;
+pub(crate) use actions::*;
 pub(crate) use calculation::{BinaryOp, Expr, ExprKind, UnitPower};
-pub(crate) use machine::*;
+pub(crate) use kinematic::*;
 
 /// `pub struct Name { statements }`.
 pub(crate) struct Declaration {

@@ -10,7 +10,7 @@ use crate::codegen::c;
 use crate::codegen::c::c_identifiers::Width;
 use crate::codegen::c::selection::Selection;
 use crate::diagnostics::Diagnostics;
-use crate::exact::Scope;
+use crate::exact::AtomScope;
 use crate::expansions::declarations;
 use crate::lower;
 use crate::pipeline;
@@ -42,7 +42,7 @@ const SAMPLE: [&str; 4] = [
 
 /// Prints each entry point in each width into a folder of its own; returns the names of the sources.
 fn print_each(source: TokenStream, name: &str, root: &Path) -> Vec<String> {
-    let _atoms = Scope::begin();
+    let _atoms = AtomScope::begin();
     let mut diagnostics = Diagnostics::new();
     let (_, resolved) = pipeline::read(source, &mut diagnostics);
     let Some(Ok(mechanism)) = resolved else {

@@ -162,7 +162,7 @@ fn of_conditions() -> Vec<Place> {
         place("codegen/c/run/reach.c", "(float)size) : ", open[0].clone(), " * size;"),
         place("sketch/page/checks.js", "const OPEN = ", power(&open[0]), ", ENDS"),
         place("codegen/c/run/friction/head.c", "#define MOST ", joints[0].clone(), "\n"),
-        place("model/statements/friction.rs", "const MOST: usize = ", joints[0].clone(), ";"),
+        place("model/statements/contacts.rs", "const MOST: usize = ", joints[0].clone(), ";"),
     ]
 }
 

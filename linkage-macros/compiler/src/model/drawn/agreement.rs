@@ -12,11 +12,11 @@ use crate::chain::plane::Complex;
 use crate::diagnostics::Extent;
 use crate::syntax::tree::{Expr, PointPlace, PointStatement, StatementKind};
 
-use super::bodies::Bodies;
-use super::lengths::in_words;
-use super::messages::drive_as_written;
-use super::motions::{slid_by, turned_by};
-use super::values::Measured;
+use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn::lengths::in_words;
+use crate::model::drawn::messages::drive_as_written;
+use crate::model::drawn::motions::{slid_by, turned_by};
+use crate::model::drawn::values::Measured;
 
 /// The angle, the part of the machine's size and that of a length by which a drive may differ from the drawing: about
 /// what a drawing is off by whose small links are drawn to two digits.

@@ -10,15 +10,15 @@ use crate::syntax::tree::{
     Expr, ExprKind, GroupFieldValue, InputStatement, Solve, StatementKind, UnknownStatement,
 };
 
-use super::bars::DrawnBar;
-use super::bodies::Bodies;
-use super::ends::RodEnd;
-use super::figures::sum;
-use super::followed::{DrawnValues, Fitted, traced_names};
-use super::frames::{DrawnFrame, Heading, Origin};
-use super::group_statement::group_of;
-use super::writer::Writer;
-use super::written::{Sought, Stretch};
+use crate::model::drawn::bars::DrawnBar;
+use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn::ends::RodEnd;
+use crate::model::drawn::figures::sum;
+use crate::model::drawn::followed::{DrawnValues, Fitted, traced_names};
+use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
+use crate::model::drawn::group_statement::group_of;
+use crate::model::drawn::writer::Writer;
+use crate::model::drawn::written::{Sought, Stretch};
 
 impl Writer<'_, '_> {
     /// The unknown that drives a body.

@@ -1,8 +1,8 @@
 //! The inputs of a drawing whose drives are no linear functions of them.
 
-use super::agreement::{DrawnEquation, Solution, solved};
-use super::bodies::Bodies;
-use super::values::Measured;
+use crate::model::drawn::agreement::{DrawnEquation, Solution, solved};
+use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn::values::Measured;
 
 /// The most steps of Newton's method, and the halvings of each.
 const STEPS: usize = 40;

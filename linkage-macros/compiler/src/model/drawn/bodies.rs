@@ -7,8 +7,8 @@ use crate::chain::plane::Complex;
 use crate::chain::redrawn::Displacement;
 use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, PointPlace};
 
-use super::figures::{Figure, Pen};
-use super::frames::{DrawnFrame, DrawnLine};
+use crate::model::drawn::figures::{Figure, Pen};
+use crate::model::drawn::frames::{DrawnFrame, DrawnLine};
 
 /// A point of the ground, a pin, or a point that is declared on a link.
 pub(super) struct PinPlace<'t> {
@@ -48,7 +48,7 @@ pub(super) struct GuideLine<'t> {
 }
 
 /// All of a drawing by its names.
-pub(in crate::model) struct Bodies<'t> {
+pub(super) struct Bodies<'t> {
     pub(super) tree: &'t Declaration,
     pub(super) pins: Vec<PinPlace<'t>>,
     /// Body `i + 1` is link `i`.

@@ -3,8 +3,9 @@
 
 use proc_macro2::Ident;
 
-use crate::model::acting::{Effort, RequestedEffort};
 use crate::syntax::tree::{ExprKind, OutputStatement, Statement, StatementKind};
+
+use crate::model::acting::{Effort, RequestedEffort};
 
 /// A joint of a link at which a block stands in for it.
 pub(super) struct RodEnd {

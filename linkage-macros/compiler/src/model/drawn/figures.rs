@@ -7,8 +7,9 @@
 use proc_macro2::{Ident, Span};
 
 use crate::exact::Exact;
-use crate::model::units::unit;
 use crate::syntax::tree::{BinaryOp, Expr, ExprKind};
+
+use crate::model::units::unit;
 
 /// A number of the drawing.
 #[derive(Clone)]

@@ -6,8 +6,8 @@ use proc_macro2::{Ident, Span};
 use crate::chain::fit::{DeadEnds, Following, Terms};
 use crate::syntax::tree::{BinaryOp, Expr, ExprKind, LetStatement, StatementKind};
 
-use super::figures::{Figure, Pen, sum};
-use super::free_names::FreeNames;
+use crate::model::drawn::figures::{Figure, Pen, sum};
+use crate::model::drawn::free_names::FreeNames;
 
 /// The names of an unknown's fit.
 pub(super) struct TracedNames {

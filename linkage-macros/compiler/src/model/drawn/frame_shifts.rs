@@ -7,13 +7,16 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::exact::Exact;
-use crate::syntax::tree::GuideStatement;
-use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, GuideAnchor, PointPlace, Statement};
+use crate::syntax::tree::{
+    Expr, ExprKind, GroupFieldValue, GroupStatement, GuideAnchor, GuideStatement, PointPlace,
+    Statement,
+};
 
-use super::bodies::Bodies;
-use super::figures::{Figure, Pen, sum};
-use super::frames::{DrawnFrame, Heading, Origin};
-use super::joints::TurnedFrame;
+use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn::figures::{Figure, Pen, sum};
+use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
+use crate::model::drawn_links::TurnedFrame;
+use crate::model::shifts::Shifts;
 use crate::model::statements::rules_mut;
 
 /// The written frame of a link in that of its group.
@@ -28,7 +31,7 @@ struct FrameShift {
 }
 
 /// Those of all such links.
-pub(in crate::model) struct FrameShifts {
+pub(super) struct FrameShifts {
     pen: Pen,
     by_link: HashMap<String, FrameShift>,
 }
@@ -103,7 +106,7 @@ impl FrameShifts {
     }
 
     /// An angle against the written frame of a link, against that of its group.
-    pub(in crate::model) fn added(&self, link: &Ident, angle: Expr) -> Expr {
+    pub(super) fn added(&self, link: &Ident, angle: Expr) -> Expr {
         match self.of(link).and_then(|turn| turn.angle.as_ref()) {
             Some(turn) => sum(angle, turn.text.clone()),
             None => angle,
@@ -111,7 +114,7 @@ impl FrameShifts {
     }
 
     /// An expression in which the angles of links are those of their groups' frames.
-    pub(in crate::model) fn expr(&self, expr: &Expr) -> Expr {
+    pub(super) fn expr(&self, expr: &Expr) -> Expr {
         expr.replaced(&|part| match &part.kind {
             ExprKind::Member(link, member) if member == "angle" => {
                 Some(self.added(link, part.clone()))
@@ -120,12 +123,12 @@ impl FrameShifts {
         })
     }
 
-    pub(in crate::model) fn pair(&self, [first, second]: &[Expr; 2]) -> [Expr; 2] {
+    pub(super) fn pair(&self, [first, second]: &[Expr; 2]) -> [Expr; 2] {
         [self.expr(first), self.expr(second)]
     }
 
     /// Components along the axes of a link.
-    pub(in crate::model) fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+    pub(super) fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
         let local = self.pair(local);
         let Some(turn) = self.of(link).filter(|turn| turn.angle.is_some()) else { return local };
         let pen = self.pen.at(link.span());
@@ -138,7 +141,7 @@ impl FrameShifts {
     }
 
     /// Coordinates in the frame of a link.
-    pub(in crate::model) fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+    pub(super) fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
         let turned = self.components(link, local);
         let Some(turn) = self.of(link) else { return turned };
         let [x, y] = turned;
@@ -149,12 +152,12 @@ impl FrameShifts {
     /// The statement with everything in the frames of groups.
     pub(super) fn statement(&self, bodies: &Bodies<'_>, statement: &Statement) -> Statement {
         let mut shifted = statement.clone();
-        rules_mut(&mut shifted).shift(self, bodies);
+        rules_mut(&mut shifted).shift(&InGroups { shifts: self, bodies });
         shifted
     }
 
     /// The place in the frame of the group that a guide on a link goes through; none where it stays as it is.
-    pub(in crate::model) fn through(
+    pub(super) fn through(
         &self,
         bodies: &Bodies<'_>,
         GuideStatement { name, on, through, .. }: &GuideStatement,
@@ -175,7 +178,7 @@ impl FrameShifts {
         Some(self.place(on, &local.map(|number| number.text)))
     }
 
-    pub(in crate::model) fn group(&self, group: &mut crate::syntax::tree::GroupStatement) {
+    pub(super) fn group(&self, group: &mut GroupStatement) {
         let reference = group.fields.iter().find_map(|field| match &field.value {
             GroupFieldValue::One(Expr { kind: ExprKind::Name(name), .. })
                 if field.name == "relative_to" =>
@@ -197,7 +200,7 @@ impl FrameShifts {
         }
     }
 
-    pub(in crate::model) fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
+    pub(super) fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
         let Some((on, turn)) = on.and_then(|on| Some((on, self.of(on)?))) else {
             return match place {
                 PointPlace::Cartesian(place) => PointPlace::Cartesian(self.pair(place)),
@@ -235,5 +238,45 @@ fn sum_of(first: Expr, second: Expr) -> Expr {
         (true, _) => second,
         (_, true) => first,
         _ => sum(first, second),
+    }
+}
+
+/// The drawing with the frames that groups have given its links.
+struct InGroups<'a, 't> {
+    shifts: &'a FrameShifts,
+    bodies: &'a Bodies<'t>,
+}
+
+impl Shifts for InGroups<'_, '_> {
+    fn expr(&self, expr: &Expr) -> Expr {
+        self.shifts.expr(expr)
+    }
+
+    fn pair(&self, pair: &[Expr; 2]) -> [Expr; 2] {
+        self.shifts.pair(pair)
+    }
+
+    fn added(&self, link: &Ident, angle: Expr) -> Expr {
+        self.shifts.added(link, angle)
+    }
+
+    fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+        self.shifts.components(link, local)
+    }
+
+    fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+        self.shifts.place(link, local)
+    }
+
+    fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
+        self.shifts.point(on, place)
+    }
+
+    fn group(&self, group: &mut GroupStatement) {
+        self.shifts.group(group);
+    }
+
+    fn through(&self, guide: &GuideStatement) -> Option<[Expr; 2]> {
+        self.shifts.through(self.bodies, guide)
     }
 }

@@ -3,7 +3,7 @@
 //! A link's frame is that of its statement, whatever group it ends in: its origin is its first pin,
 //! and its x points towards its second, or along its guide where it has one pin.
 
-use super::figures::{Figure, Pen};
+use crate::model::drawn::figures::{Figure, Pen};
 
 /// Where a frame begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

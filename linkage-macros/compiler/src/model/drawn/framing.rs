@@ -8,9 +8,9 @@ use crate::syntax::tree::{
     Course, ExprKind, GuideAnchor, GuideStatement, PointPlace, StatementKind,
 };
 
-use super::figures::Figure;
-use super::frames::{DrawnFrame, DrawnLine, Heading, Origin};
-use super::reader::Reader;
+use crate::model::drawn::figures::Figure;
+use crate::model::drawn::frames::{DrawnFrame, DrawnLine, Heading, Origin};
+use crate::model::drawn::reader::Reader;
 
 /// The frames of all links as they are written, and the lines of all guides. `None` where they
 /// stand on each other in a circle, which is reported.

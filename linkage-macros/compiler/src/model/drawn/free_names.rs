@@ -7,9 +7,10 @@ use std::collections::HashSet;
 
 use proc_macro2::{Ident, Span};
 
-use crate::model::names::declared_by;
-use crate::model::references::names_used;
 use crate::syntax::tree::{Declaration, OutputStatement, StatementKind};
+
+use crate::model::references::names_used;
+use crate::model::statements::declared_by;
 
 pub(super) struct FreeNames {
     taken: HashSet<String>,

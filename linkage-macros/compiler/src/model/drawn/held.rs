@@ -9,9 +9,9 @@ use crate::syntax::tree::{
     Expr, ExprKind, LetStatement, PointPlace, PointStatement, StatementKind,
 };
 
-use super::bars::{DrawnBar, HeldBar};
-use super::figures::{Figure, sum};
-use super::writer::Writer;
+use crate::model::drawn::bars::{DrawnBar, HeldBar};
+use crate::model::drawn::figures::{Figure, sum};
+use crate::model::drawn::writer::Writer;
 
 impl Writer<'_, '_> {
     /// The bar between a joint outside and the one between both legs.

@@ -4,15 +4,15 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::{Driven, Driving, Footing, GROUND, Machine, RigidBody, Slide};
 use crate::chain::plane::Complex;
-use crate::model::references::{names_in, names_used};
 use crate::syntax::tree::{
     DriveStatement, Expr, ExprKind, GroundStatement, GroupStatement, Statement, StatementKind,
 };
 
-use super::bodies::{Bodies, GuideLine};
-use super::figures::Figure;
-use super::frames::DrawnFrame;
-use super::reader::Reader;
+use crate::model::drawn::bodies::{Bodies, GuideLine};
+use crate::model::drawn::figures::Figure;
+use crate::model::drawn::frames::DrawnFrame;
+use crate::model::drawn::reader::Reader;
+use crate::model::references::{names_in, names_used};
 
 impl<'t> Reader<'t, '_, '_> {
     pub(super) fn read_drives(&mut self) -> Vec<(usize, &'t DriveStatement)> {

@@ -5,7 +5,7 @@ use crate::chain::redrawn::{Resized, redrawn};
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::Expr;
 
-use super::bodies::Bodies;
+use crate::model::drawn::bodies::Bodies;
 
 /// The part of a drawn length by which a declared one may differ before it is taken for a slip.
 const A_THIRD: f64 = 1.0 / 3.0;

@@ -6,14 +6,14 @@ use crate::chain::Trouble;
 use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::{GROUND, Machine};
 use crate::diagnostics::Diagnostics;
-use crate::model::acting::RequestedEffort;
-use crate::model::mechanism::Mechanism;
-use crate::model::names::listed;
 use crate::syntax::tree::{Declaration, DriveStatement, PointPlace, PointStatement, StatementKind};
 
-use super::bodies::Bodies;
-use super::joints::TurnedFrame;
-use super::printed::text;
+use crate::model::acting::RequestedEffort;
+use crate::model::as_written::text;
+use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn_links::TurnedFrame;
+use crate::model::mechanism::Mechanism;
+use crate::model::names::listed;
 
 /// The least sine by which a drawing tells the two sides of a dyad apart. Drawn to four digits, a
 /// point is off by half of this of its distance.

@@ -22,11 +22,10 @@ mod free_names;
 mod group_statement;
 mod held;
 mod incidences;
-pub(super) mod joints;
 mod lengths;
 mod messages;
 mod motions;
-pub(super) mod on_links;
+mod on_links;
 mod placed;
 pub(super) mod printed;
 mod rails;
@@ -38,6 +37,7 @@ mod values;
 mod writer;
 mod written;
 
+use crate::model::drawn_links::DrawnLinks;
 use proc_macro2::Ident;
 
 use crate::chain;
@@ -48,10 +48,8 @@ use crate::syntax::tree::{
 };
 
 use super::mechanism::{Mechanism, References};
-pub(super) use bodies::Bodies;
+use bodies::Bodies;
 use ends::RodEnd;
-pub(super) use frame_shifts::FrameShifts;
-pub(super) use joints::DrawnLinks;
 use reader::Reader;
 use values::Measured;
 

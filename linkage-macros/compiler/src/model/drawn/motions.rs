@@ -7,8 +7,8 @@ use crate::syntax::tree::{
     StatementKind,
 };
 
-use super::bodies::{Bodies, LinkOutline};
-use super::values::Measured;
+use crate::model::drawn::bodies::{Bodies, LinkOutline};
+use crate::model::drawn::values::Measured;
 
 /// The angle of a crank that is declared by hand and turns against the ground.
 pub(super) fn turned_by(group: &GroupStatement) -> Option<&Expr> {

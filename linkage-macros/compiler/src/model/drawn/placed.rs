@@ -5,10 +5,10 @@ use proc_macro2::Ident;
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Expr, PointPlace, PointStatement, StatementKind};
 
-use super::bodies::{Bodies, PinPlace};
-use super::figures::Figure;
-use super::frames::{DrawnFrame, Heading, Origin};
-use super::writer::Writer;
+use crate::model::drawn::bodies::{Bodies, PinPlace};
+use crate::model::drawn::figures::Figure;
+use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
+use crate::model::drawn::writer::Writer;
 
 /// Reports points whose place on their link needs the link to be placed first, where the link is placed from them:
 /// those at distances, and those beside the far end of a declared length.

@@ -6,9 +6,9 @@ use crate::syntax::tree::{
     BinaryOp, Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, GuideStatement, StatementKind,
 };
 
-use super::figures::Figure;
-use super::frames::{DrawnFrame, Origin};
-use super::writer::{Writer, given};
+use crate::model::drawn::figures::Figure;
+use crate::model::drawn::frames::{DrawnFrame, Origin};
+use crate::model::drawn::writer::{Writer, given};
 
 impl Writer<'_, '_> {
     /// The guide of a slide.

@@ -3,10 +3,9 @@
 use crate::chain::machine::GROUND;
 use crate::syntax::tree::{Course, GuideAnchor, GuideStatement, StatementKind};
 
-use super::bodies::GuideLine;
-use super::frames::DrawnLine;
-
-use super::reader::{Reader, drawn_links};
+use crate::model::drawn::bodies::GuideLine;
+use crate::model::drawn::frames::DrawnLine;
+use crate::model::drawn::reader::{Reader, drawn_links};
 
 impl Reader<'_, '_, '_> {
     pub(super) fn read_guides(&mut self) {

@@ -6,15 +6,17 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::diagnostics::nearest;
-use crate::model::names::{Kind, Names, declared_by};
 use crate::syntax::tree::{
     Declaration, DrawnLink, DriveStatement, Expr, GroundStatement, GroupFieldValue, LinkStatement,
     PinStatement, PointStatement, Statement, StatementKind,
 };
 
-use super::bodies::{GuideLine, LinkOutline, PinPlace};
-use super::figures::Figure;
-use super::values::Measured;
+use crate::model::begun;
+use crate::model::drawn::bodies::{GuideLine, LinkOutline, PinPlace};
+use crate::model::drawn::figures::Figure;
+use crate::model::drawn::values::Measured;
+use crate::model::names::Kind;
+use crate::model::statements::declared_by;
 
 /// Reads the names of a drawing one after the other.
 pub(super) struct Reader<'t, 'v, 'd> {
@@ -297,7 +299,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             self.report(name, message, "name a point: `ground M(…, …);`".to_string());
             return None;
         }
-        let names = Names::collect(self.tree);
+        let names = begun::names(self.tree);
         if names.kind(name) == Some(Kind::Point) {
             let message = format!("`{name}` has no place in the drawing");
             let reason = format!("say where it is drawn: `pin {name}(…, …);`");

@@ -3,10 +3,10 @@
 
 use crate::chain::machine::GROUND;
 
-use super::figures::{Figure, Pen};
-use super::frames::{DrawnFrame, Origin};
-use super::joints::SlideFound;
-use super::writer::Writer;
+use crate::model::drawn::figures::{Figure, Pen};
+use crate::model::drawn::frames::{DrawnFrame, Origin};
+use crate::model::drawn::writer::Writer;
+use crate::model::drawn_links::SlideFound;
 
 impl Writer<'_, '_> {
     /// The place in the drawing where the frame begins that a group gave a link. The far end of a declared length is

@@ -4,12 +4,12 @@ use std::collections::HashMap;
 
 use proc_macro2::Ident;
 
-use crate::model::names::declared_by;
-use crate::model::references::{expressions, names_used};
 use crate::syntax::tree::{ExprKind, Statement, StatementKind};
 
-use super::joints::SlideFound;
-use super::written::Written;
+use crate::model::drawn::written::Written;
+use crate::model::drawn_links::SlideFound;
+use crate::model::references::{expressions, names_used};
+use crate::model::statements::declared_by;
 
 /// The statements, each behind those that it needs and else as they stand. What uses a part of a search
 /// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names

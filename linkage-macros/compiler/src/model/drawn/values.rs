@@ -7,18 +7,18 @@ use proc_macro2::{Ident, Span};
 
 use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
-use crate::model::expr::{Axis, Scalar as Resolved};
-use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
-use crate::model::names::{Entity, Names, declared_by};
-use crate::model::references::{expressions, names_used};
-use crate::model::{Scope, units};
 use crate::syntax::tree::{
     Declaration, Expr, ExprKind, GroundStatement, InputStatement, LetStatement, ParamStatement,
     PinStatement, Statement, StatementKind,
 };
 
-use super::figures::{Figure, Pen};
-use crate::model::{expressions, numbers, order};
+use crate::model::drawn::figures::{Figure, Pen};
+use crate::model::expr::{Axis, Scalar as Resolved};
+use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
+use crate::model::names::{Entity, Names};
+use crate::model::references::{expressions, names_used};
+use crate::model::statements::declared_by;
+use crate::model::{Scope, begun, expressions, numbers, order, units, walk};
 
 /// What the numbers of a drawing are.
 pub(super) struct Measured<'d> {
@@ -79,13 +79,13 @@ enum Forgetting {
 fn numbers_of_a_drawing(scope: &mut Scope<'_>, numbers: &Declaration, forgetting: Forgetting) {
     if forgetting == Forgetting::Nothing {
         let pins = std::mem::take(&mut scope.names.pins);
-        scope.names = Names { pins, ..Names::collect(numbers) };
+        scope.names = Names { pins, ..begun::names(numbers) };
     }
     let mut reading = scope.names.pins.clone();
     for (index, statement) in numbers.statements.iter().enumerate() {
         scope.names.go_to(index);
         let before = scope.diagnostics.count();
-        crate::model::statement(scope, statement);
+        walk::statement(scope, statement);
         let StatementKind::Let(LetStatement { name, .. }) = &statement.kind else { continue };
         if names_used(statement).iter().any(|used| reading.contains(&used.to_string())) {
             reading.insert(name.to_string());
@@ -130,9 +130,9 @@ impl<'d> Measured<'d> {
     pub(super) fn of(tree: &'d Declaration, diagnostics: &'d mut Diagnostics) -> Option<Self> {
         let before = diagnostics.count();
         let numbers = numbers_of(tree);
-        let mut scope = Scope::new(&numbers, &tree.unread, diagnostics);
+        let mut scope = begun::scope(&numbers, &tree.unread, diagnostics);
         scope.names.pins = pins_of(tree).map(ToString::to_string).collect();
-        scope.facts.longest_in_small_units = super::super::literals::longest_in_small_units(tree);
+        scope.facts.longest_in_small_units = begun::longest_in_small_units(tree);
         numbers_of_a_drawing(&mut scope, &numbers, Forgetting::OfPins);
         order::statements_are_in_order(&mut scope, &numbers);
         if scope.diagnostics.count() != before {

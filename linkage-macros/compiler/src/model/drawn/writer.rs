@@ -7,18 +7,17 @@ use crate::chain::limits::sine;
 use crate::chain::machine::GROUND;
 use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, Statement, StatementKind};
 
-use super::bars::DrawnBar;
-use super::bodies::Bodies;
-use super::ends::{self, RodEnd};
-use super::figures::{Figure, Pen};
-use super::frame_shifts::FrameShifts;
-use super::frames::{DrawnFrame, Origin};
-use super::free_names::FreeNames;
-use super::group_statement::group_of;
-use super::is_point_of;
-use super::joints::DrawnLinks;
-use super::sorted;
-use super::written::{Sought, Written};
+use crate::model::drawn::bars::DrawnBar;
+use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn::ends::{self, RodEnd};
+use crate::model::drawn::figures::{Figure, Pen};
+use crate::model::drawn::frame_shifts::FrameShifts;
+use crate::model::drawn::frames::{DrawnFrame, Origin};
+use crate::model::drawn::free_names::FreeNames;
+use crate::model::drawn::group_statement::group_of;
+use crate::model::drawn::written::{Sought, Written};
+use crate::model::drawn::{is_point_of, sorted};
+use crate::model::drawn_links::DrawnLinks;
 
 /// The statements that a drawing became.
 pub(super) struct Translated {

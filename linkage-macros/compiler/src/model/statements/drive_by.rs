@@ -4,22 +4,17 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{self, Declaration, DriveByStatement, ExprKind, StatementKind};
+use crate::syntax::tree::{Declaration, DriveByStatement, StatementKind};
 
 use crate::model::acting::{Dynamics, Effort, Load};
-use crate::model::dimension::Measure;
-use crate::model::expressions::ResolvedExpr;
-use crate::model::facts::Degree;
 use crate::model::ids::{InputId, LinkId};
 use crate::model::mechanism::{
-    Drive, Group, GuideDirection, Mechanism, Operator, Placement, Scalar, Slideway, Step, Through,
+    Drive, Group, GuideDirection, Mechanism, Placement, Scalar, Slideway, Step, Through,
 };
 use crate::model::names::{Entity, Kind};
-use crate::model::reads::{Allowed, Reads};
 use crate::model::scope::Scope;
-use crate::model::{dynamics_outputs, numbers, uses};
-
-use super::{Rules, acts};
+use crate::model::statements::Rules;
+use crate::model::{named_efforts, uses};
 
 impl Rules for DriveByStatement {
     fn title(&self, _name: &str) -> String {
@@ -160,135 +155,6 @@ pub(in crate::model) fn drive_by(scope: &mut Scope<'_>, input: &Ident, load: &Id
     }
 }
 
-/// The value of a load in forces, torques and outputs.
-pub(in crate::model) fn value_of_load(
-    scope: &mut Scope<'_>,
-    name: &Ident,
-    allowed: Allowed,
-) -> Option<ResolvedExpr> {
-    acts::load_stands_in_a_force(scope, name, allowed)?;
-    let entity = uses::usable(scope, name, &[Kind::Load])?;
-    let dynamics = &scope.mechanism.dynamics;
-    let (load, value) = match entity {
-        Entity::Load(id) => (&dynamics.loads[id.index()], Scalar::Load(id)),
-        Entity::Pull => (dynamics.pull.as_ref()?, Scalar::Pull),
-        _ => return None,
-    };
-    let reads = Reads::a_load();
-    let measure = Measure::Known(load.dimension);
-    Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, value) })
-}
-
-/// The power to which a number contains the load that drives an input.
-pub(in crate::model) fn degree(scope: &Scope<'_>, expr: &Scalar) -> Degree {
-    let within = |inner: Degree| if inner == Degree::Free { inner } else { Degree::Other };
-    match expr {
-        Scalar::Pull => Degree::Linear,
-        Scalar::Law(id) => scope.facts.laws[id.index()].pull,
-        Scalar::Negate(value) => degree(scope, value),
-        Scalar::AboveZero(inner) => within(degree(scope, &inner.value)),
-        Scalar::Call(_, arguments) => {
-            let degrees = arguments.iter().map(|argument| degree(scope, argument));
-            within(degrees.max().unwrap_or(Degree::Free))
-        }
-        Scalar::Chain(first, rest) => {
-            rest.iter().fold(degree(scope, first), |left, (operator, operand)| {
-                match (operator, left, degree(scope, operand)) {
-                    (Operator::Add | Operator::Sub, left, right) => left.max(right),
-                    (_, left, Degree::Free) => left,
-                    (Operator::Mul, Degree::Free, right) => right,
-                    _ => Degree::Other,
-                }
-            })
-        }
-        _ => Degree::Free,
-    }
-}
-
-/// A force is a multiple of the load that drives an input, and what is free of it.
-pub(in crate::model) fn is_linear_in_pull(
-    scope: &mut Scope<'_>,
-    expr: &tree::Expr,
-    value: &Scalar,
-) -> Option<()> {
-    if degree(scope, value) != Degree::Other {
-        return Some(());
-    }
-    let load = scope.facts.driving.as_deref().unwrap_or_default();
-    let message = format!("a force is a multiple of `{load}`, which drives an input");
-    let reason = format!(
-        "the value of `{load}` follows from one linear equation: write `2 * {load}` or \
-         `5N - {load} * cos(theta)`, and no function of it"
-    );
-    pull_is_refused(scope, expr, message, reason)
-}
-
-/// A share of what presses a joint is no share of what follows from it.
-pub(in crate::model) fn is_free_of_pull(
-    scope: &mut Scope<'_>,
-    expr: &tree::Expr,
-    value: &Scalar,
-) -> Option<()> {
-    if degree(scope, value) == Degree::Free {
-        return Some(());
-    }
-    let load = scope.facts.driving.as_deref().unwrap_or_default();
-    let message = format!("no coefficient depends on `{load}`, which drives an input");
-    let reason = format!("`{load}` follows from friction, and its equation is linear");
-    pull_is_refused(scope, expr, message, reason)
-}
-
-/// Reports the first part of an expression that holds the load that drives an input.
-fn pull_is_refused(
-    scope: &mut Scope<'_>,
-    expr: &tree::Expr,
-    message: String,
-    reason: String,
-) -> Option<()> {
-    let holds_pull = |scope: &Scope<'_>, part: &tree::Expr| {
-        let ExprKind::Name(name) = &part.kind else { return false };
-        match scope.names.entity(name) {
-            Some(Entity::Pull) => true,
-            Some(Entity::Law(id)) => scope.facts.laws[id.index()].pull != Degree::Free,
-            _ => false,
-        }
-    };
-    let at = numbers::first(scope, expr, &holds_pull).unwrap_or(expr.span);
-    scope.diagnostics.error_because(at, message, reason);
-    None
-}
-
-/// The effort of an input is put in by no load.
-pub(in crate::model) fn has_a_drive(
-    scope: &mut Scope<'_>,
-    owner: &Ident,
-    id: InputId,
-) -> Option<()> {
-    let Some((driven, load)) = scope.mechanism.dynamics.driven() else { return Some(()) };
-    if driven != id {
-        return Some(());
-    }
-    let message = format!("`{owner}` is driven by `{0}`; ask for `{0}`", load.name);
-    let reason = "a drive of its own would put in nothing";
-    scope.diagnostics.error_because(owner.span(), message, reason);
-    None
-}
-
-/// The drive of a link is put in by no load.
-pub(in crate::model) fn link_has_a_drive(
-    scope: &mut Scope<'_>,
-    owner: &Ident,
-    link: LinkId,
-) -> Option<()> {
-    let Some((input, load)) = scope.mechanism.driven_through(link) else { return Some(()) };
-    let input = &scope.mechanism.inputs[input.index()].name;
-    let message =
-        format!("`{load}` drives `{owner}` by `{input}`; ask for `{load}`", load = load.name);
-    let reason = "a drive of its own would put in nothing";
-    scope.diagnostics.error_because(owner.span(), message, reason);
-    None
-}
-
 /// Returns true if the output is the load that drives an input.
 pub(in crate::model) fn pull_output(
     scope: &mut Scope<'_>,
@@ -299,7 +165,7 @@ pub(in crate::model) fn pull_output(
     if is_pull {
         let own = scope.mechanism.dynamics.pull.iter().flat_map(|load| &load.docs);
         let docs: Vec<_> = docs.iter().chain(own).cloned().collect();
-        dynamics_outputs::ask(scope, &docs, name, name, Effort::Pull);
+        named_efforts::ask(scope, &docs, name, name, Effort::Pull);
     }
     is_pull
 }

@@ -6,14 +6,13 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, ForceBetweenStatement, ForceStatement};
 
 use crate::model::acting::{Axes, Force};
-use crate::model::drawn::printed::{pair, text};
-use crate::model::drawn::{Bodies, FrameShifts};
+use crate::model::as_written::{pair, text};
 use crate::model::mechanism::{Body, Carrier, Dimension, PointId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
+use crate::model::shifts::Shifts;
+use crate::model::statements::{Rules, acts};
 use crate::model::uses;
-
-use super::{Rules, acts};
 
 impl Rules for ForceStatement {
     fn builds_on(&self) -> Vec<&Ident> {
@@ -38,7 +37,7 @@ impl Rules for ForceStatement {
         format!("force {}{axes} on {};", pair(&self.value), self.on)
     }
 
-    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
         self.value = match &self.axes {
             Some(axes) => shifts.components(axes, &self.value),
             None => shifts.pair(&self.value),

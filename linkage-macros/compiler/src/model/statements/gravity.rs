@@ -5,12 +5,11 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Expr, GravityStatement};
 
-use crate::model::drawn::printed::pair;
+use crate::model::as_written::pair;
 use crate::model::mechanism::Dimension;
 use crate::model::numbers;
 use crate::model::scope::Scope;
-
-use super::{Rules, acts};
+use crate::model::statements::{Rules, acts};
 
 impl Rules for GravityStatement {
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {

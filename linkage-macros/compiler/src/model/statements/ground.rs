@@ -6,13 +6,11 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, GroundStatement};
 
 use crate::model::assembly::constants;
-use crate::model::drawn::printed;
 use crate::model::mechanism::{Carrier, PartOf, Step};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
-use crate::model::{declared, numbers, stub};
-
-use super::Rules;
+use crate::model::statements::Rules;
+use crate::model::{as_written, declared, numbers, stub};
 
 impl Rules for GroundStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -37,7 +35,7 @@ impl Rules for GroundStatement {
     }
 
     fn written(&self) -> String {
-        printed::ground(&self.points)
+        as_written::ground(&self.points)
     }
 }
 

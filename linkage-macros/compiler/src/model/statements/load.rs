@@ -7,14 +7,12 @@ use crate::diagnostics::nearest;
 use crate::syntax::tree::LoadStatement;
 
 use crate::model::acting::Load;
-use crate::model::drawn::printed;
 use crate::model::mechanism::{Dimension, LoadId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
+use crate::model::statements::Rules;
 use crate::model::units::unit;
-use crate::model::uses;
-
-use super::Rules;
+use crate::model::{as_written, uses};
 
 const LOAD_KINDS: [&str; 3] = ["force", "torque", "number"];
 
@@ -37,7 +35,7 @@ impl Rules for LoadStatement {
     }
 
     fn written(&self) -> String {
-        format!("load {}{};", printed::names(&self.names), printed::kind(&self.kind))
+        format!("load {}{};", as_written::names(&self.names), as_written::kind(&self.kind))
     }
 }
 

@@ -7,15 +7,14 @@ use crate::diagnostics::Extent;
 use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassStatement};
 
 use crate::model::acting::{Magnitude, Mass, MassPlace};
-use crate::model::drawn::printed::{pair, text};
-use crate::model::drawn::{Bodies, FrameShifts, on_links};
+use crate::model::as_written::{pair, text};
 use crate::model::folding::shown;
 use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
-use crate::model::{numbers, uses};
-
-use super::{Rules, acts, guide};
+use crate::model::shifts::Shifts;
+use crate::model::statements::{Rules, acts, guides};
+use crate::model::{numbers, on_drawn_links, uses};
 
 impl Rules for MassStatement {
     fn builds_on(&self) -> Vec<&Ident> {
@@ -54,7 +53,7 @@ impl Rules for MassStatement {
         format!("mass {} on {}{place}{inertia};", text(&self.value), self.on)
     }
 
-    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
         self.value = shifts.expr(&self.value);
         self.inertia = self.inertia.as_ref().map(|inertia| shifts.expr(inertia));
         if let Written::At(at) = &mut self.place {
@@ -112,11 +111,11 @@ pub(in crate::model) fn mass(
         None => None,
     };
     if let Written::Uniform(_) = place
-        && let Some(bar) = on_links::bar_as_drawn(scope, on)
+        && let Some(bar) = on_drawn_links::bar_as_drawn(scope, on)
     {
         return match inertia {
             Some((written, _)) => inertia_is_superfluous(scope, written, OF_A_BAR),
-            None => on_links::uniform_as_drawn(scope, on, mass?, bar),
+            None => on_drawn_links::uniform_as_drawn(scope, on, mass?, bar),
         };
     }
     let place = mass_place(scope, on, place)?;
@@ -197,7 +196,7 @@ fn mass_place(scope: &mut Scope<'_>, on: &Ident, place: &Written) -> Option<Mass
             let link = uses::link(scope, on);
             let id = uses::point(scope, point);
             let (link, id) = (link?, id?);
-            if let Some(place) = on_links::place_as_drawn(scope, on, point) {
+            if let Some(place) = on_drawn_links::place_as_drawn(scope, on, point) {
                 return Some(MassPlace::At(link, numbers::lengths(scope, place)?));
             }
             point_is_on_link(scope, point, id, link)?;
@@ -241,7 +240,7 @@ fn point_is_on_link(
     if !scope.facts.links[link.index()].has_its_joints {
         return None;
     }
-    guide::no_point_of(scope, name, link);
+    guides::no_point_of(scope, name, link);
     None
 }
 

@@ -5,36 +5,38 @@
 //! statements through these, and knows no kind by itself.
 
 pub(super) mod acts;
-pub(super) mod drawing;
+pub(super) mod contacts;
 pub(super) mod drive_by;
+pub(super) mod dyads;
 pub(super) mod force;
-pub(super) mod friction;
 pub(super) mod gravity;
 pub(super) mod ground;
-pub(super) mod group;
-pub(super) mod guide;
+pub(super) mod guides;
 pub(super) mod input;
 pub(super) mod load;
 pub(super) mod mass;
 pub(super) mod named;
 pub(super) mod output;
 pub(super) mod param;
-pub(super) mod point;
+pub(super) mod pins_and_links;
+pub(super) mod points;
 pub(super) mod settings;
-pub(super) mod solve;
+pub(super) mod solves;
 pub(super) mod spring;
 pub(super) mod stop;
 pub(super) mod torque;
-pub(super) mod unknown;
+pub(super) mod unknowns;
 
+use crate::model::names::Entity;
+use crate::model::names::Kind;
+use crate::model::scope::Scope;
+use crate::model::shifts::Shifts;
+use crate::syntax::tree::Action;
+use crate::syntax::tree::Expr;
+use crate::syntax::tree::Statement;
+use crate::syntax::tree::StatementKind;
 use proc_macro2::Ident;
 use syn::Attribute;
-
-use crate::syntax::tree::{Action, Expr, Statement, StatementKind};
-
-use super::drawn::{Bodies, FrameShifts};
-use super::names::{Entity, Kind};
-use super::scope::Scope;
 
 /// Everything that the model asks of a kind of statement.
 pub(super) trait Rules {
@@ -82,7 +84,7 @@ pub(super) trait Rules {
     }
 
     /// Puts what stands in the frames of drawn links into those of their groups.
-    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
         for expr in self.expressions_mut() {
             *expr = shifts.expr(expr);
         }
@@ -137,4 +139,14 @@ pub(super) fn rules(statement: &Statement) -> &dyn Rules {
 /// The same of a statement that is changed.
 pub(super) fn rules_mut(statement: &mut Statement) -> &mut dyn Rules {
     by_kind!(&mut statement.kind)
+}
+
+/// The names a statement declares.
+pub(in crate::model) fn declared_by(statement: &Statement) -> Vec<(&Ident, Kind)> {
+    rules(statement).declares()
+}
+
+/// The statement that declares `name`, as messages call it.
+pub(in crate::model) fn title(statement: &Statement, name: &str) -> String {
+    rules(statement).title(name)
 }

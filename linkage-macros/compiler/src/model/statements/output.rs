@@ -10,18 +10,16 @@ use crate::syntax::tree::{
     Declaration, Expr, ExprKind, OutputItem, OutputStatement, StatementKind,
 };
 
-use crate::model::drawn::printed::text;
-use crate::model::drawn::{Bodies, FrameShifts};
-use crate::model::expressions::{self, ResolvedExpr, bare_name};
+use crate::model::as_written::text;
+use crate::model::link_efforts::MEMBERS;
 use crate::model::mechanism::{LinkId, OutputKind};
 use crate::model::names::{Entity, Kind};
 use crate::model::reads::Allowed;
+use crate::model::resolved_expr::{ResolvedExpr, bare_name};
 use crate::model::scope::Scope;
-use crate::model::{dynamics_outputs, effort_formulas, given, readings, uses};
-
-use super::{Rules, drive_by, named};
-
-pub(in crate::model) const MEMBERS: [&str; 4] = ["angle", "slide", "margin", "transmission"];
+use crate::model::shifts::Shifts;
+use crate::model::statements::{Rules, drive_by};
+use crate::model::{dynamics_outputs, effort_formulas, expressions, given, laws, readings, uses};
 
 impl Rules for OutputStatement {
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
@@ -40,7 +38,7 @@ impl Rules for OutputStatement {
         format!("output {};", items.collect::<Vec<_>>().join(", "))
     }
 
-    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
         for item in &mut self.items {
             // A part of a link by itself is a direction.
             if item.name.is_some() || !matches!(item.value.kind, ExprKind::Member(..)) {
@@ -188,7 +186,7 @@ fn whole_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) {
 
 /// A `let` under its own name; a law stands in `forces`.
 fn let_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident, entity: Entity) {
-    let quantity = named::value_of_let(scope, name, entity, Allowed::IN_FORCES);
+    let quantity = laws::value_of_let(scope, name, entity, Allowed::IN_FORCES);
     let Some(mut quantity) = quantity else { return };
     if let Entity::Let(id) = entity {
         quantity.rest = scope.mechanism.lets[id.index()].rest.clone();

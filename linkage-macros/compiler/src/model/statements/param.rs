@@ -7,18 +7,17 @@ use crate::exact::Exact;
 use crate::syntax::anatomy::Modes;
 use crate::syntax::tree::{Expr, ExprKind, ParamStatement};
 
+use crate::model::as_written::{self, text};
 use crate::model::dimension::Measure;
-use crate::model::drawn::printed::{self, text};
-use crate::model::expressions::{self, bare_name};
 use crate::model::facts::ParamFacts;
 use crate::model::mechanism::{Dimension, Param, ParamId, ParamKind, Sign};
 use crate::model::modes::{self, mode_word};
 use crate::model::names::{Entity, Kind};
+use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
+use crate::model::statements::Rules;
 use crate::model::units::unit;
-use crate::model::{kinds, numbers, uses};
-
-use super::Rules;
+use crate::model::{expressions, fits, kinds, uses};
 
 impl Rules for ParamStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -56,7 +55,7 @@ impl Rules for ParamStatement {
     }
 
     fn written(&self) -> String {
-        let (kind, default) = (printed::kind(&self.kind), text(&self.default));
+        let (kind, default) = (as_written::kind(&self.kind), text(&self.default));
         format!("param {}{kind} = {default};", self.name)
     }
 }
@@ -118,7 +117,7 @@ fn param_is_a_constant(
     let measure = match wanted {
         None => quantity.measure,
         Some(wanted) => {
-            numbers::dimension_fits(scope, default, &quantity, wanted?)?;
+            fits::dimension_fits(scope, default, &quantity, wanted?)?;
             Measure::Known(wanted?)
         }
     };

@@ -8,8 +8,7 @@ use crate::syntax::tree::{CrateStatement, ExportStatement, NumericsStatement};
 
 use crate::model::mechanism::Numerics;
 use crate::model::scope::Scope;
-
-use super::Rules;
+use crate::model::statements::Rules;
 
 impl Rules for NumericsStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {

@@ -1,24 +1,20 @@
 //! Springs and dampers: between two points, or between two bodies.
 
 use proc_macro2::Ident;
-use quote::format_ident;
 use syn::Attribute;
 
 use crate::syntax::anatomy::{FieldRule, GroupSpec, Pin, optional};
-use crate::syntax::tree::{Expr, ExprKind, GroupStatement, SpringStatement};
+use crate::syntax::tree::{Expr, GroupStatement, SpringStatement};
 
-use crate::model::acting::{Effort, Ends, Magnitude, Spring};
-use crate::model::drawn::printed::{self, braces};
-use crate::model::drawn::{Bodies, FrameShifts};
-use crate::model::expressions::{self, RATE, ResolvedExpr, counted};
-use crate::model::fields::{self, Fields};
-use crate::model::mechanism::{self, Carrier, Dimension, OutputKind, PointId, SpringId};
+use crate::model::acting::{Ends, Magnitude, Spring};
+use crate::model::as_written::{self, braces};
+use crate::model::mechanism::{self, Carrier, Dimension, PointId, SpringId};
 use crate::model::names::{Entity, Kind};
-use crate::model::reads::Allowed;
+use crate::model::parts_of_groups::Fields;
 use crate::model::scope::Scope;
-use crate::model::{dynamics_outputs, given, numbers, uses};
-
-use super::{Rules, acts, mass, named};
+use crate::model::shifts::Shifts;
+use crate::model::statements::{Rules, acts, mass};
+use crate::model::{fields, numbers, uses};
 
 const DAMPING: FieldRule = optional("damping", "what it exerts against its rate, `10(N*s/m)`");
 
@@ -84,11 +80,11 @@ impl Rules for SpringStatement {
     }
 
     fn written(&self) -> String {
-        let ([a, b], name) = (&self.ends, printed::own_name(&self.name));
+        let ([a, b], name) = (&self.ends, as_written::own_name(&self.name));
         format!("spring{name} between {a} and {b} {}", braces(&self.fields))
     }
 
-    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
         shifts.group(&mut self.fields);
     }
 }
@@ -242,142 +238,4 @@ fn spring_does_something(
     let reason = "write `stiffness: …`, `damping: …` or both";
     scope.diagnostics.error_because(group.end, message, reason);
     None
-}
-
-/// `rate(x)`: in forces, torques and outputs, of what moves.
-pub(in crate::model) fn rate(
-    scope: &mut Scope<'_>,
-    name: &Ident,
-    arguments: &[Expr],
-    allowed: Allowed,
-) -> Option<ResolvedExpr> {
-    let argument = match arguments {
-        [argument] => argument_of_rate(scope, argument, Allowed { forces: false, ..allowed }),
-        _ => {
-            let found = counted(arguments.len());
-            let message = format!("`{name}` takes one argument, and {found} given");
-            scope.diagnostics.error(name.span(), message);
-            None
-        }
-    };
-    if !allowed.forces {
-        let message = "a `rate` stands in forces, torques and outputs alone";
-        let reason = "what the mechanism is made of depends on no rate";
-        scope.diagnostics.error_because(name.span(), message, reason);
-        return None;
-    }
-    let mut argument = argument?;
-    argument.reads = argument.reads.of_a_rate();
-    Some(argument)
-}
-
-fn argument_of_rate(
-    scope: &mut Scope<'_>,
-    argument: &Expr,
-    allowed: Allowed,
-) -> Option<ResolvedExpr> {
-    let load = numbers::first(scope, argument, &|scope, part| match &part.kind {
-        ExprKind::Name(name) if scope.names.kind(name) == Some(Kind::Load) => true,
-        _ => named::is_law(scope, part, |reads| reads.load),
-    });
-    let nested = numbers::first(scope, argument, &|scope, part| {
-        is_rate(part) || named::is_law(scope, part, |reads| reads.rate)
-    });
-    let mistake = match (load, nested) {
-        (Some(at), _) => Some((at, "a load has no rate", "it is a number that each call is given")),
-        (None, Some(at)) => Some((
-            at,
-            "a rate of a rate is an acceleration, on which no force may depend",
-            "what resists acceleration is a mass, `mass 2kg on P`, or an inertia",
-        )),
-        (None, None) => None,
-    };
-    if let Some((at, message, reason)) = mistake {
-        scope.diagnostics.error_because(at, message, reason);
-        return None;
-    }
-    let quantity = expressions::expression(scope, argument, allowed)?;
-    if !quantity.reads.efforts.is_empty() {
-        let message = "the rate of an effort is not known";
-        let reason = "it would follow from the rates of second rates, which no call is given";
-        scope.diagnostics.error_because(argument.span, message, reason);
-        return None;
-    }
-    if quantity.links.is_empty() && !scope.mechanism.moves(&quantity.rest) {
-        let message = "nothing here moves, and its rate is zero";
-        let reason = "a rate is that of an input, a link's `angle` or `slide`, a point's `x` or \
-                      `y`, or a `distance`";
-        scope.diagnostics.error_because(argument.span, message, reason);
-        return None;
-    }
-    let measure = quantity.measure.per_time();
-    let rate = mechanism::Scalar::Rate(Box::new(quantity.turn()));
-    Some(ResolvedExpr::plain(measure, rate))
-}
-
-/// `shock.force`, `shock.length`; `clutch.torque`, `clutch.angle`.
-pub(in crate::model) fn spring_output(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    owner: &Ident,
-    member: &Ident,
-) {
-    let Some((id, part)) = part_of_spring(scope, owner, member) else { return };
-    if part == 0 {
-        return dynamics_outputs::ask(scope, docs, owner, member, Effort::Spring(id));
-    }
-    let spring = &scope.mechanism.dynamics.springs[id.index()];
-    let (ends, own) = (spring.ends, spring.docs.clone());
-    let field = format_ident!("{owner}_{member}", span = owner.span());
-    let (value, dimension) = match ends {
-        Ends::Points(points) => (mechanism::Scalar::Distance(points), Dimension::LENGTH),
-        Ends::Bodies(_) => (mechanism::Scalar::Twist(id), Dimension::ANGLE),
-    };
-    let kind = OutputKind::Value { value, dimension };
-    given::give(scope, member.span(), field, &[docs, &own].concat(), kind);
-}
-
-/// The effort of a spring in an expression.
-pub(in crate::model) fn effort_of_spring(
-    scope: &mut Scope<'_>,
-    owner: &Ident,
-    member: &Ident,
-) -> Option<Effort> {
-    let (id, part) = part_of_spring(scope, owner, member)?;
-    if part == 0 {
-        return Some(Effort::Spring(id));
-    }
-    let message = format!("`{owner}.{member}` is an output of its own");
-    let reason = "an expression reads the `distance` of its points, or its links' angles";
-    scope.diagnostics.error_because(member.span(), message, reason);
-    None
-}
-
-fn part_of_spring(
-    scope: &mut Scope<'_>,
-    owner: &Ident,
-    member: &Ident,
-) -> Option<(SpringId, usize)> {
-    let Entity::Spring(id) = uses::usable(scope, owner, &[Kind::Spring])? else { return None };
-    let parts = parts(scope.mechanism.dynamics.springs[id.index()].ends);
-    let found = parts.iter().position(|part| member == part);
-    if found.is_none() {
-        let message = format!("the spring `{owner}` has no `{member}`");
-        let reason = format!("it has `{}` and `{}`", parts[0], parts[1]);
-        scope.diagnostics.error_because(member.span(), message, reason);
-    }
-    Some((id, found?))
-}
-
-/// The members of a spring: its force and length, or its torque and angle.
-pub(in crate::model) fn parts(ends: Ends) -> [&'static str; 2] {
-    match ends {
-        Ends::Points(_) => ["force", "length"],
-        Ends::Bodies(_) => ["torque", "angle"],
-    }
-}
-
-/// True if the expression is a rate.
-pub(in crate::model) fn is_rate(expr: &Expr) -> bool {
-    matches!(&expr.kind, ExprKind::Call(function, _) if function == RATE)
 }

@@ -6,15 +6,14 @@ use syn::Attribute;
 use crate::syntax::anatomy::{GroupSpec, Pin, needed, optional};
 use crate::syntax::tree::{Expr, StopStatement};
 
-use crate::model::acting::{Effort, Magnitude, RequestedEffort, Stop, Stopped};
-use crate::model::drawn::printed::{self, braces, pair, text};
-use crate::model::drawn::{Bodies, FrameShifts};
+use crate::model::acting::{Magnitude, Stop, Stopped};
+use crate::model::as_written::{self, braces, pair, text};
 use crate::model::mechanism::{AngleSum, Dimension, Scalar, StopId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
+use crate::model::shifts::Shifts;
+use crate::model::statements::{Rules, acts, mass};
 use crate::model::{expressions, fields, numbers, uses};
-
-use super::{Rules, acts, mass};
 
 const STOP: GroupSpec = GroupSpec {
     keyword: "stop",
@@ -28,9 +27,6 @@ const STOP: GroupSpec = GroupSpec {
     modes: None,
     form: "stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }",
 };
-
-/// The members of a stop.
-pub(in crate::model) const PARTS: [&str; 2] = ["force", "gap"];
 
 impl Rules for StopStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -65,11 +61,11 @@ impl Rules for StopStatement {
     }
 
     fn written(&self) -> String {
-        let (name, of) = (printed::own_name(&self.name), text(&self.of));
+        let (name, of) = (as_written::own_name(&self.name), text(&self.of));
         format!("stop{name} {of} between {} {}", pair(&self.ends), braces(&self.fields))
     }
 
-    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
         self.of = shifts.expr(&self.of);
         shifts.group(&mut self.fields);
     }
@@ -153,40 +149,4 @@ fn ends_of_stop(
         return None;
     }
     Some(ends)
-}
-
-/// `bumper.force`, `bumper.gap`
-pub(in crate::model) fn effort_of_stop(
-    scope: &mut Scope<'_>,
-    owner: &Ident,
-    member: &Ident,
-) -> Option<Effort> {
-    let Entity::Stop(id) = uses::usable(scope, owner, &[Kind::Stop])? else { return None };
-    match PARTS.iter().position(|part| member == part) {
-        Some(0) => Some(Effort::Stop(id)),
-        Some(_) => Some(Effort::Gap(id)),
-        None => {
-            let message = format!("the stop `{owner}` has no `{member}`");
-            let reason = format!("it has `{}` and `{}`", PARTS[0], PARTS[1]);
-            scope.diagnostics.error_because(member.span(), message, reason);
-            None
-        }
-    }
-}
-
-/// Both members of every named stop.
-pub(in crate::model) fn efforts_of_stops(
-    scope: &Scope<'_>,
-) -> impl Iterator<Item = RequestedEffort> {
-    let stops = scope.mechanism.dynamics.stops.iter().enumerate();
-    stops.flat_map(|(index, stop)| {
-        let id = StopId(index as u32);
-        let efforts = PARTS.into_iter().zip([Effort::Stop(id), Effort::Gap(id)]);
-        let of = |(part, effort)| {
-            let owner = stop.name.clone()?;
-            let field = Ident::new(part, owner.span());
-            Some(RequestedEffort { owner, field, docs: stop.docs.clone(), effort })
-        };
-        efforts.filter_map(of).collect::<Vec<_>>()
-    })
 }

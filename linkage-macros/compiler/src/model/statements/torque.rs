@@ -6,12 +6,11 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, TorqueBetweenStatement, TorqueStatement};
 
 use crate::model::acting::Torque;
-use crate::model::drawn::printed::text;
+use crate::model::as_written::text;
 use crate::model::mechanism::{Carrier, Dimension, Scalar};
 use crate::model::scope::Scope;
+use crate::model::statements::{Rules, acts};
 use crate::model::uses;
-
-use super::{Rules, acts};
 
 impl Rules for TorqueStatement {
     fn builds_on(&self) -> Vec<&Ident> {

@@ -1,21 +1,19 @@
 //! Outputs of a stub: a field for each, however much of it was understood.
 
+use proc_macro2::Ident;
 use quote::format_ident;
 
-use proc_macro2::Ident;
+use crate::syntax::tree::{self, Declaration, ExprKind, LetStatement, OutputItem, StatementKind};
 
-use super::{NUMBER, number};
 use crate::model::acting::{Effort, Formula};
-use crate::model::expressions::bare_name;
-use crate::model::given;
 use crate::model::ids::FormulaId;
 use crate::model::mechanism::{AngleSum, DeclaredOutput, OutputKind, Scalar};
 use crate::model::names::Kind;
+use crate::model::rates::is_rate;
+use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
-use crate::model::statements::named;
-use crate::model::statements::spring::is_rate;
-use crate::model::{numbers, stub};
-use crate::syntax::tree::{self, Declaration, ExprKind, LetStatement, OutputItem, StatementKind};
+use crate::model::stub::{self, NUMBER, number};
+use crate::model::{fits, given, laws};
 
 /// A field for an output whose name is known, if not its value.
 pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, item: &OutputItem) {
@@ -76,8 +74,8 @@ fn reads_forces(scope: &Scope<'_>, value: &tree::Expr) -> bool {
         ExprKind::Member(_, member) => member == "drive" || member == "push",
         _ => is_rate(part),
     };
-    numbers::first(scope, value, &|scope, part| {
-        reads(scope, part) || named::is_law(scope, part, |reads| reads.is_of_forces())
+    fits::first(scope, value, &|scope, part| {
+        reads(scope, part) || laws::is_law(scope, part, |reads| reads.is_of_forces())
     })
     .is_some()
 }

@@ -7,19 +7,18 @@ use crate::exact::Exact;
 use crate::reach::line::BodyLine;
 use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
+use crate::model::as_written::{self, pair, text};
 use crate::model::assembly::constants;
-use crate::model::drawn::printed::{self, pair, text};
-use crate::model::drawn::{Bodies, FrameShifts};
-use crate::model::expressions::bare_name;
 use crate::model::facts::GuideFacts;
 use crate::model::mechanism::{
     Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through,
 };
 use crate::model::names::{Entity, Kind};
+use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
+use crate::model::shifts::Shifts;
+use crate::model::statements::Rules;
 use crate::model::{numbers, uses};
-
-use super::Rules;
 
 impl Rules for GuideStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -75,11 +74,11 @@ impl Rules for GuideStatement {
             Course::Towards(point) => format!("towards {point}"),
             Course::Mistake => String::new(),
         };
-        format!("guide {}{} through {through} {course};", self.name, printed::on(&self.on))
+        format!("guide {}{} through {through} {course};", self.name, as_written::on(&self.on))
     }
 
-    fn shift(&mut self, shifts: &FrameShifts, bodies: &Bodies<'_>) {
-        if let Some(place) = shifts.through(bodies, self) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
+        if let Some(place) = shifts.through(self) {
             self.through = GuideAnchor::At(place);
         }
         if let Course::Along(angle) = &mut self.course {

@@ -5,13 +5,11 @@ use syn::Attribute;
 
 use crate::syntax::tree::{DriveStatement, Expr, GroupStatement, LinkStatement, PinStatement};
 
-use crate::model::drawn::printed;
 use crate::model::mechanism::PartOf;
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
-use crate::model::{declared, stub};
-
-use super::Rules;
+use crate::model::statements::Rules;
+use crate::model::{as_written, declared, stub};
 
 impl Rules for PinStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -35,7 +33,7 @@ impl Rules for PinStatement {
 
     fn written(&self) -> String {
         // A pin of a group that is declared by hand.
-        printed::ground(&self.points)
+        as_written::ground(&self.points)
     }
 }
 

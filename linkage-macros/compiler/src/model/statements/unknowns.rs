@@ -7,23 +7,20 @@ use syn::Attribute;
 
 use crate::exact::Exact;
 use crate::reach::turn::Range;
-use crate::syntax::tree::{self, Declaration, Expr, UnknownStatement};
+use crate::syntax::tree::{Declaration, Expr, UnknownStatement};
 
-use crate::model::acting::Effort;
-use crate::model::drawn::joints;
-use crate::model::drawn::printed::{self, pair};
+use crate::model::as_written::{self, pair};
 use crate::model::folding::shown_in_degrees;
 use crate::model::kinds::{KINDS, quantity_kind};
 use crate::model::mechanism::{
-    AngleSum, Dimension, Drive, Equation, GroupName, InputId, Mode, ParamKind, Scalar, Sign,
-    Unknown, UnknownId,
+    AngleSum, Dimension, Drive, Equation, GroupName, Mode, ParamKind, Scalar, Sign, Unknown,
+    UnknownId,
 };
-use crate::model::names::{Entity, Kind, declared_by};
+use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::searched::Searched;
-use crate::model::{declared, numbers, uses};
-
-use super::{Rules, drive_by};
+use crate::model::statements::Rules;
+use crate::model::{declared, drawn_sliding, fits, numbers, uses};
 
 impl Rules for UnknownStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -44,7 +41,7 @@ impl Rules for UnknownStatement {
 
     fn written(&self) -> String {
         let ends = self.between.as_ref().map(pair).unwrap_or_default();
-        format!("unknown {}{} between {ends};", self.name, printed::kind(&self.kind))
+        format!("unknown {}{} between {ends};", self.name, as_written::kind(&self.kind))
     }
 }
 
@@ -66,7 +63,7 @@ pub(in crate::model) fn unknown(
     let group = declared::next_group(scope);
     scope.mechanism.groups.push(GroupName {
         keyword: Ident::new("unknown", name.span()),
-        title: joints::title_as_drawn(scope, std::iter::once(name)),
+        title: drawn_sliding::title_as_drawn(scope, std::iter::once(name)),
     });
     let steps = [scope.mechanism.steps.len(); 2];
     // Nothing is solved by it: what has no `solve` is reported.
@@ -149,25 +146,11 @@ fn declared(scope: &Scope<'_>, expr: &Scalar) -> Option<Exact> {
 
 /// Ends are constants and parameters.
 fn end_depends_on_no_input(scope: &mut Scope<'_>, end: &Expr, name: &Ident) -> Option<()> {
-    let Some(at) = numbers::moving_part(scope, end) else { return Some(()) };
+    let Some(at) = fits::moving_part(scope, end) else { return Some(()) };
     let message = format!("the ends of `{name}` depend on no input; write constants or parameters");
     let reason = "the machine has to be assembled from end to end, whatever the inputs are";
     scope.diagnostics.error_because(at, message, reason);
     None
-}
-
-/// Notes what the statement has made with the unknown that is searched, or with what follows
-/// it.
-pub(in crate::model) fn note_what_follows(scope: &mut Scope<'_>, statement: &tree::Statement) {
-    let Some(searched) = scope.facts.searched() else { return };
-    if !uses::uses(scope, statement, |_, entity| searched.reaches(entity)) {
-        return;
-    }
-    let declared = declared_by(statement);
-    let made = declared.iter().filter_map(|(name, _)| scope.names.made(name));
-    if let Some(searched) = scope.facts.searches.last_mut() {
-        searched.follows.extend(made);
-    }
 }
 
 /// True if the value changes with the unknown that is searched.
@@ -246,48 +229,6 @@ pub(in crate::model) fn ends_can_be_assembled(scope: &mut Scope<'_>) {
         let at = scope.facts.ends_of_unknowns[id.index()][end];
         scope.diagnostics.error_because(at, message, reason);
     }
-}
-
-/// Beside an equation that a drive may hold, efforts are known that follow from power alone.
-pub(in crate::model) fn effort_is_known(
-    scope: &mut Scope<'_>,
-    at: &Ident,
-    effort: Effort,
-) -> Option<()> {
-    if scope.mechanism.dynamics.is_of_power(effort) || scope.mechanism.equations_are_held() {
-        return Some(());
-    }
-    let name = &scope.mechanism.unknowns.first()?.name;
-    let input = scope.mechanism.inputs.first().map(|input| &input.name);
-    let instead = input.map_or(String::new(), |input| format!("; ask for `{input}.drive`"));
-    let message = format!("no reactions beside `unknown {name}`{instead}");
-    let reason = "what holds the equation of `solve` exerts a force as well: of `distance(P, Q) = l` a bar does, \
-                  of `offset(P, guide) = h` a block, of any other equation nobody says what";
-    scope.diagnostics.error_because(at.span(), message, reason);
-    None
-}
-
-/// `theta.drive`, in place of the only input's.
-pub(in crate::model) fn unknown_effort(
-    scope: &mut Scope<'_>,
-    owner: &Ident,
-    member: &Ident,
-) -> Option<Effort> {
-    let Entity::Unknown(id) = uses::usable(scope, owner, &[Kind::Unknown])? else { return None };
-    if member != "drive" {
-        let message = format!("write `{owner}.drive`");
-        let reason = "its effort is a torque or a force, as the unknown is an angle or a length";
-        scope.diagnostics.error_because(member.span(), message, reason);
-        return None;
-    }
-    if let [first, _, ..] = &scope.mechanism.inputs[..] {
-        let message = format!("`{owner}.drive` stands for one input's, and there are several");
-        let reason = format!("ask for `{}.drive` and its like", first.name);
-        scope.diagnostics.error_because(owner.span(), message, reason);
-        return None;
-    }
-    drive_by::has_a_drive(scope, owner, InputId(0))?;
-    Some(Effort::Unknown(id))
 }
 
 /// Which of the two angles, in degrees, lies on no stretch that holds the other.

@@ -8,63 +8,14 @@ use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
 use crate::syntax::tree::{self, Expr};
 use crate::syntax::words::built_by;
 
-use crate::model::drawn::printed::braces;
-use crate::model::drawn::{Bodies, FrameShifts, joints};
-use crate::model::fields::{self, Fields};
-use crate::model::mechanism::{GroupId, GroupName, GuideId, LinkId, PartOf, PointId, Step};
+use crate::model::as_written::braces;
+use crate::model::mechanism::{GroupId, GroupName, PartOf, PointId, Step};
 use crate::model::names::{Entity, Kind};
+use crate::model::parts_of_groups::{OuterJoint, Parts};
 use crate::model::scope::Scope;
-use crate::model::{declared, jointed, uses};
-
-use super::Rules;
-
-/// The things a group statement has made, and those it was given.
-pub(in crate::model) struct Parts<'t> {
-    pub group: &'t tree::GroupStatement,
-    pub anatomy: &'static GroupSpec,
-    pub id: GroupId,
-    /// One a leg; `None` where the name was in error.
-    pub links: Vec<Option<LinkId>>,
-    pub outer: Vec<Option<OuterJoint>>,
-    pub pin: Option<PointId>,
-    pub fields: Fields<'t>,
-}
-
-/// The support of an outer joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::model) enum OuterJoint {
-    Point(PointId),
-    Guide(GuideId),
-}
-
-impl Parts<'_> {
-    /// True if the group has a pin, or should have one.
-    pub(in crate::model) fn has_pin(&self) -> bool {
-        match self.anatomy.pin {
-            Pin::Needed => true,
-            Pin::Optional => self.group.pin.is_some(),
-            Pin::None(_) => false,
-        }
-    }
-
-    pub(in crate::model) fn link(&self, i: usize) -> Option<LinkId> {
-        self.links.get(i).copied().flatten()
-    }
-
-    pub(in crate::model) fn point(&self, i: usize) -> Option<PointId> {
-        match self.outer.get(i).copied().flatten()? {
-            OuterJoint::Point(id) => Some(id),
-            OuterJoint::Guide(_) => None,
-        }
-    }
-
-    pub(in crate::model) fn guide(&self, i: usize) -> Option<GuideId> {
-        match self.outer.get(i).copied().flatten()? {
-            OuterJoint::Guide(id) => Some(id),
-            OuterJoint::Point(_) => None,
-        }
-    }
-}
+use crate::model::shifts::Shifts;
+use crate::model::statements::Rules;
+use crate::model::{declared, drawn_joints, drawn_sliding, fields, jointed, uses};
 
 impl Rules for tree::GroupStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -114,7 +65,7 @@ impl Rules for tree::GroupStatement {
         format!("{} {}{pin} {}", self.keyword, legs.join(", "), braces(self))
     }
 
-    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
         shifts.group(self);
     }
 }
@@ -160,13 +111,13 @@ pub(in crate::model) fn group(
     let id = declared::next_group(scope);
     let links: Vec<_> = (group.legs.iter().zip(anatomy.slides()))
         .map(|(leg, slides)| {
-            let slides = joints::is_drawn_sliding(scope, &leg.link).unwrap_or(slides);
+            let slides = drawn_sliding::is_drawn_sliding(scope, &leg.link).unwrap_or(slides);
             declared::add_link(scope, docs, &leg.link, id, slides)
         })
         .collect();
     let pin = pin(scope, docs, group, anatomy, id);
     let keyword = group.keyword.clone();
-    let title = joints::title_as_drawn(scope, group.legs.iter().map(|leg| &leg.link));
+    let title = drawn_sliding::title_as_drawn(scope, group.legs.iter().map(|leg| &leg.link));
     scope.mechanism.groups.push(GroupName { keyword, title });
     let outer = outer_joints(scope, group, anatomy);
     let fields = fields::fields(scope, group, anatomy);
@@ -174,7 +125,7 @@ pub(in crate::model) fn group(
     let step = jointed::jointed(scope, &parts).map(Step::Group);
     facts_of_what_was_made(scope, &parts, step.is_some(), moves);
     scope.mechanism.steps.extend(step);
-    joints::joints_are_as_drawn(scope, &parts);
+    drawn_joints::joints_are_as_drawn(scope, &parts);
 }
 
 /// Everything a group makes moves if anything it was given moves.

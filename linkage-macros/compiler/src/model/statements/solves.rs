@@ -7,18 +7,17 @@ use crate::diagnostics::nearest;
 use crate::syntax::anatomy::Modes;
 use crate::syntax::tree::{Expr, Solve};
 
-use crate::model::drawn::printed::text;
-use crate::model::expressions::{self, ResolvedExpr, bare_name};
+use crate::model::as_written::text;
 use crate::model::mechanism::{
     Dimension, Equation, Length, Mode, Operator, ParamKind, Scalar, UnknownId,
 };
 use crate::model::modes::{trend_word, words_of};
 use crate::model::names::{Entity, Kind};
+use crate::model::resolved_expr::{ResolvedExpr, bare_name};
 use crate::model::scope::Scope;
 use crate::model::searched::Searched;
-use crate::model::{numbers, uses};
-
-use super::{Rules, unknown};
+use crate::model::statements::{Rules, unknowns};
+use crate::model::{expressions, fits, numbers, uses};
 
 /// The meaning of both modes.
 const MODES: &str = "`rising` or `falling`: how left minus right goes at the root while the unknown \
@@ -145,7 +144,7 @@ fn between_sides(
         (None, Some(points)) => (points, left, a.rest, false),
         _ => return Some(Equation::Difference([a.rest, b.rest])),
     };
-    numbers::length_is_positive(scope, written, &length, "the distance")?;
+    fits::length_is_positive(scope, written, &length, "the distance")?;
     let name = match bare_name(written) {
         Some(name) => name.to_string(),
         None => "distance in `solve`".to_string(),
@@ -162,7 +161,7 @@ fn equation_moves(
     equation: &Equation,
 ) -> Option<()> {
     let searched = scope.facts.searched()?;
-    let changes = |expr: &Scalar| unknown::changes_with(scope, searched, expr);
+    let changes = |expr: &Scalar| unknowns::changes_with(scope, searched, expr);
     let moves = match equation {
         Equation::Difference(sides) => sides.iter().any(changes),
         Equation::Turn(turn) => {
@@ -239,7 +238,7 @@ fn trend_param(scope: &mut Scope<'_>, word: &Ident) -> Option<Mode> {
 fn near(scope: &mut Scope<'_>, near: &Expr, dimension: Dimension) -> Option<Scalar> {
     let value = numbers::scalar(scope, near, dimension)?;
     let searched = scope.facts.searched()?;
-    if !unknown::changes_with(scope, searched, &value) {
+    if !unknowns::changes_with(scope, searched, &value) {
         return Some(value);
     }
     let message = format!("`near` cannot depend on `{}`", searched.name);

@@ -7,19 +7,18 @@ use crate::exact::Exact;
 use crate::reach::{absolute, apex};
 use crate::syntax::tree::{self, Expr, Expr as Written, PointStatement};
 
+use crate::model::as_written::{self, pair};
 use crate::model::assembly::{constants, polar};
-use crate::model::drawn::printed::{self, pair};
-use crate::model::drawn::{Bodies, FrameShifts};
-use crate::model::expressions::bare_name;
 use crate::model::folding::shown;
 use crate::model::mechanism::{
     Carrier, GroupName, Length, LinkId, PartOf, Placement, Scalar, Sign, Step,
 };
 use crate::model::names::{Entity, Kind};
+use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
-use crate::model::{declared, modes, numbers, stub, uses};
-
-use super::{Rules, guide};
+use crate::model::shifts::Shifts;
+use crate::model::statements::{Rules, guides};
+use crate::model::{declared, fits, modes, numbers, stub, uses};
 
 impl Rules for PointStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -61,10 +60,10 @@ impl Rules for PointStatement {
             }
             tree::PointPlace::Mistake => String::new(),
         };
-        format!("point {}{} {place};", self.name, printed::on(&self.on))
+        format!("point {}{} {place};", self.name, as_written::on(&self.on))
     }
 
-    fn shift(&mut self, shifts: &FrameShifts, _bodies: &Bodies<'_>) {
+    fn shift(&mut self, shifts: &dyn Shifts) {
         self.place = shifts.point(self.on.as_ref(), &self.place);
     }
 }
@@ -77,7 +76,7 @@ pub(in crate::model) fn placed_point(
     place: &tree::PointPlace,
     moves: bool,
 ) {
-    let carrier = guide::carrier(scope, on);
+    let carrier = guides::carrier(scope, on);
     let damaged = matches!(place, tree::PointPlace::Mistake);
     let place = self::place(scope, name, carrier, place);
     // Where its link is not known, neither is the point.
@@ -135,7 +134,7 @@ fn place(
             let values = [0, 1].map(|i| {
                 let value = numbers::length(scope, &distances[i])?;
                 let what = format!("the {} distance of `{name}`", which[i]);
-                numbers::length_is_positive(scope, &distances[i], &value, &what)?;
+                fits::length_is_positive(scope, &distances[i], &value, &what)?;
                 let name = match bare_name(&distances[i]) {
                     Some(name) => name.to_string(),
                     None => format!("{} distance of {name}", which[i]),

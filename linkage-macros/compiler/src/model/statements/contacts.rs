@@ -8,17 +8,15 @@ use crate::syntax::tree::{
 };
 
 use crate::model::acting::{Contact, Friction, Magnitude};
-use crate::model::drawn::joints;
-use crate::model::drawn::printed::text;
+use crate::model::as_written::text;
 use crate::model::folding::shown;
 use crate::model::mechanism::{
     Body, Carrier, Dimension, Drive, Length, LinkId, PartOf, PointId, Scalar,
 };
 use crate::model::names::{Kind, listed};
 use crate::model::scope::Scope;
-use crate::model::uses;
-
-use super::{Rules, acts, drive_by, mass};
+use crate::model::statements::{Rules, acts, mass};
+use crate::model::{drawn_sliding, loads_in_forces, uses};
 
 /// The most joints that rub where a load drives an input.
 const MOST: usize = 8;
@@ -127,7 +125,7 @@ fn friction(scope: &mut Scope<'_>, written: &FrictionStatement) -> Option<Fricti
     };
     let what = "a coefficient of friction";
     let value = acts::acting(scope, &written.coefficient, Dimension::NUMBER)?;
-    drive_by::is_free_of_pull(scope, &written.coefficient, &value)?;
+    loads_in_forces::is_free_of_pull(scope, &written.coefficient, &value)?;
     let span = written.coefficient.span;
     let name = format!("friction at {name}");
     let coefficient = mass::not_below_zero(scope, value, span, what, name.clone())?;
@@ -233,7 +231,7 @@ fn slider(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
     }
     let link = uses::link(scope, name)?;
     if scope.mechanism.links[link.index()].slides {
-        return joints::slides_by(scope, name, link).map(Contact::Guide);
+        return drawn_sliding::slides_by(scope, name, link).map(Contact::Guide);
     }
     let message = format!("`{name}` does not slide");
     let reason = format!("at one of its pins friction is `friction 0.1 on {name} at P radius 8mm`");

@@ -1,0 +1,83 @@
+//! The scope in front of the first statement: the names of all of them, and what their text alone says.
+
+use proc_macro2::Ident;
+
+use crate::diagnostics::Diagnostics;
+use crate::exact::Exact;
+use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind, Unread};
+
+use crate::model::dimension::Dimension;
+use crate::model::facts::Facts;
+use crate::model::mechanism::{Mechanism, References};
+use crate::model::names::{Kind, Names, Symbol};
+use crate::model::references::expressions;
+use crate::model::scope::Scope;
+use crate::model::statements::{declared_by, drive_by, title};
+use crate::model::units::unit;
+
+/// The scope in front of the first statement.
+pub(super) fn scope<'d>(
+    tree: &Declaration,
+    unread: &'d Unread,
+    diagnostics: &'d mut Diagnostics,
+) -> Scope<'d> {
+    let driving = drive_by::named_by(tree).map(Ident::to_string);
+    let longest_in_small_units = longest_in_small_units(tree);
+    let empty = Mechanism::empty(tree.docs.clone(), tree.visibility.clone(), tree.name.clone());
+    Scope {
+        diagnostics,
+        unread,
+        names: names(tree),
+        mechanism: Mechanism { references: References::of(tree), ..empty },
+        facts: Facts::of(longest_in_small_units, driving),
+        drawn: None,
+    }
+}
+
+/// All names of a declaration.
+pub(super) fn names(tree: &Declaration) -> Names {
+    let solved = tree.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Solve(solve) => Some(solve.unknown.to_string()),
+        _ => None,
+    });
+    let mut names = Names::new(solved.collect());
+    for (index, statement) in tree.statements.iter().enumerate() {
+        let is_a_group = matches!(statement.kind, StatementKind::Group(_));
+        for (name, kind) in declared_by(statement) {
+            let name = name.to_string();
+            let made_by = title(statement, &name);
+            let is_a_pin = kind == Kind::Point && is_a_group;
+            names.add(Symbol {
+                name,
+                kind,
+                statement: index,
+                made_by,
+                is_a_pin,
+                entity: None,
+                declared: false,
+                is_hidden: false,
+                ambiguous: false,
+            });
+        }
+    }
+    names
+}
+
+/// The longest length with a unit, where each of them is in a unit smaller than a metre.
+pub(super) fn longest_in_small_units(tree: &Declaration) -> Option<Exact> {
+    let (mut longest, mut has_metres) = (None, false);
+    let mut note = |expr: &tree::Expr| {
+        let ExprKind::Number { digits, units } = &expr.kind else { return };
+        let [(name, 1)] = &units[..] else { return };
+        let Some((Dimension::LENGTH, factor)) = unit(name) else { return };
+        has_metres |= name == "m";
+        let Some(value) = Exact::decimal(digits).map(|value| value.mul(&factor)) else { return };
+        if longest.as_ref().is_none_or(|longest| value.cmp_value(longest).is_gt()) {
+            longest = Some(value);
+        }
+    };
+    for statement in &tree.statements {
+        expressions(statement, &mut |expr| expr.each_part(&mut note));
+    }
+    longest.filter(|longest: &Exact| !has_metres && !longest.is_zero())
+}

@@ -1,0 +1,41 @@
+//! Links of a drawing by their statements: their names, and what slides.
+
+use proc_macro2::Ident;
+
+use crate::model::mechanism::LinkId;
+use crate::model::scope::Scope;
+use crate::model::uses;
+
+/// The names of links as users know them.
+pub(in crate::model) fn title_as_drawn<'n>(
+    scope: &Scope<'_>,
+    names: impl Iterator<Item = &'n Ident>,
+) -> String {
+    let hidden = scope.drawn.map_or(&[][..], |drawn| &drawn.hidden);
+    let mut known: Vec<String> = Vec::new();
+    for name in names {
+        match hidden.iter().find(|(hidden, _)| hidden == name) {
+            Some((_, links)) => known.extend(links.iter().map(ToString::to_string)),
+            None => known.push(name.to_string()),
+        }
+    }
+    known.join(", ")
+}
+
+/// True if a link of a drawing slides by its statement; `None` of a link that is declared as part of a group.
+pub(in crate::model) fn is_drawn_sliding(scope: &Scope<'_>, link: &Ident) -> Option<bool> {
+    let drawn = scope.drawn?;
+    drawn.made.contains(link).then(|| drawn.slide_of(link).is_some())
+}
+
+/// The link by whose joint a link slides; `None` where that is not made yet, which is reported.
+pub(in crate::model) fn slides_by(
+    scope: &mut Scope<'_>,
+    name: &Ident,
+    link: LinkId,
+) -> Option<LinkId> {
+    let Some(slide) = scope.drawn.and_then(|drawn| drawn.slide_of(name)) else {
+        return Some(link);
+    };
+    uses::link(scope, &Ident::new(&slide.by.to_string(), name.span()))
+}
