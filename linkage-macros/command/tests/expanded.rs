@@ -1,4 +1,4 @@
-//! What `linkage export rust` prints of the four-bar in `examples/four_bar.rs` is a program, computes what the macro's
+//! The four-bar in `examples/four_bar.rs`, as `linkage export rust` prints it, is a program, computes what the macro's
 //! solver does, and stands in part in the documentation.
 
 use std::fs;

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::model::facts::LinkFacts;
-use crate::model::mechanism::{GroupId, Link, LinkId, PartOf, Point, PointId};
+use crate::model::mechanism::{GroupId, GroupName, Link, LinkId, PartOf, Point, PointId};
 use crate::model::names::Entity;
 use crate::model::scope::Scope;
 use crate::model::uses::name_is_new;
@@ -75,5 +75,13 @@ pub(super) fn new_point(
     scope.mechanism.points.push(Point { name: name.clone(), docs: docs.to_vec(), part_of });
     scope.facts.points.push(false);
     scope.facts.order.push(Entity::Point(id));
+    id
+}
+
+/// The group that a name stands for by itself in a stub.
+pub(super) fn group_by_itself(scope: &mut Scope<'_>, keyword: &str, name: &Ident) -> GroupId {
+    let id = next_group(scope);
+    let keyword = Ident::new(keyword, name.span());
+    scope.mechanism.groups.push(GroupName { keyword, title: name.to_string() });
     id
 }

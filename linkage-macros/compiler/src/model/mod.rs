@@ -36,6 +36,7 @@ mod fields;
 mod findings;
 mod fits;
 mod folding;
+mod frames_of_groups;
 mod given;
 mod ids;
 mod incidence;
@@ -64,7 +65,8 @@ mod resolved_expr;
 mod rotatability;
 mod scope;
 mod searched;
-mod shifts;
+
+mod statement_walk;
 mod statements;
 mod step;
 mod stub;
@@ -75,7 +77,6 @@ mod uses;
 
 #[cfg(test)]
 mod tests;
-mod walk;
 
 use crate::diagnostics::Diagnostics;
 use crate::model::drawn_links::DrawnLinks;
@@ -124,7 +125,7 @@ pub(crate) fn stub(tree: &Declaration) -> Mechanism {
 fn stub_of_drawing(tree: &Declaration, diagnostics: &mut Diagnostics) -> Mechanism {
     let reported = diagnostics.count();
     let mut scope = begun::scope(tree, &tree.unread, diagnostics);
-    walk::statements(&mut scope, tree);
+    statement_walk::statements(&mut scope, tree);
     let stub = stub::stub(scope, tree);
     diagnostics.forget_since(reported);
     stub
@@ -149,7 +150,7 @@ fn walked<'d>(
     let mut scope = begun::scope(tree, &tree.unread, diagnostics);
     scope.drawn = drawn;
     scope.names.hide(drawn.map_or(&[], |drawn| &drawn.names));
-    walk::statements(&mut scope, tree);
+    statement_walk::statements(&mut scope, tree);
     unknowns::every_unknown_is_solved(&mut scope, tree);
     drawn_joints::links_are_as_drawn(&mut scope);
     contacts::frictions(&mut scope, tree);

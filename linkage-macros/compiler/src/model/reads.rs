@@ -1,4 +1,4 @@
-//! What an expression reads, and what may stand where it does.
+//! The readings of an expression, and those that may stand where it does.
 
 use std::ops::Deref;
 

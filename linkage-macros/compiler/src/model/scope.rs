@@ -8,7 +8,7 @@ use crate::model::facts::Facts;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::Names;
 
-/// What is declared so far, and where mistakes are reported.
+/// All that is declared so far, and where mistakes are reported.
 pub(super) struct Scope<'d> {
     pub diagnostics: &'d mut Diagnostics,
     /// The tokens that the parser gave up. Nothing is known of a name among them.

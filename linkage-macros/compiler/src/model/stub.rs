@@ -19,13 +19,13 @@ use crate::syntax::tree::{
 
 use crate::model::acting::{Dynamics, Effort, Magnitude, Mass, MassPlace, RequestedEffort};
 use crate::model::mechanism::{
-    DeclaredOutput, Dimension, GroupId, GroupName, Input, Mechanism, Numerics, OutputKind, PartOf,
-    PointId, References, Scalar,
+    DeclaredOutput, Dimension, Input, Mechanism, Numerics, OutputKind, PartOf, PointId, References,
+    Scalar,
 };
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::statements::{declared_by, output, rules};
-use crate::model::{declared, dynamics_outputs, given};
+use crate::model::{dynamics_outputs, given};
 
 const NUMBER: Dimension = Dimension::NUMBER;
 
@@ -67,14 +67,6 @@ fn every_name_has_a_place(scope: &mut Scope<'_>, statement: &Statement) {
             scope.names.bind(name, entity);
         }
     }
-}
-
-/// The group that a name stands for by itself in a stub.
-pub(super) fn group_by_itself(scope: &mut Scope<'_>, keyword: &str, name: &Ident) -> GroupId {
-    let id = declared::next_group(scope);
-    let keyword = Ident::new(keyword, name.span());
-    scope.mechanism.groups.push(GroupName { keyword, title: name.to_string() });
-    id
 }
 
 /// Resolves the requested outputs. If one of them is not understood, it may be any of the names:

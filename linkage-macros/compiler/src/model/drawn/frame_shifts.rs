@@ -16,7 +16,7 @@ use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::figures::{Figure, Pen, sum};
 use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn_links::TurnedFrame;
-use crate::model::shifts::Shifts;
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::statements::rules_mut;
 
 /// The written frame of a link in that of its group.
@@ -247,7 +247,7 @@ struct InGroups<'a, 't> {
     bodies: &'a Bodies<'t>,
 }
 
-impl Shifts for InGroups<'_, '_> {
+impl FramesOfGroups for InGroups<'_, '_> {
     fn expr(&self, expr: &Expr) -> Expr {
         self.shifts.expr(expr)
     }

@@ -18,7 +18,7 @@ use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
 use crate::model::names::{Entity, Names};
 use crate::model::references::{expressions, names_used};
 use crate::model::statements::declared_by;
-use crate::model::{Scope, begun, expressions, numbers, order, units, walk};
+use crate::model::{Scope, begun, expressions, numbers, order, statement_walk, units};
 
 /// What the numbers of a drawing are.
 pub(super) struct Measured<'d> {
@@ -85,7 +85,7 @@ fn numbers_of_a_drawing(scope: &mut Scope<'_>, numbers: &Declaration, forgetting
     for (index, statement) in numbers.statements.iter().enumerate() {
         scope.names.go_to(index);
         let before = scope.diagnostics.count();
-        walk::statement(scope, statement);
+        statement_walk::statement(scope, statement);
         let StatementKind::Let(LetStatement { name, .. }) = &statement.kind else { continue };
         if names_used(statement).iter().any(|used| reading.contains(&used.to_string())) {
             reading.insert(name.to_string());

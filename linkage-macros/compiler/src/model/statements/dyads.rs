@@ -9,11 +9,11 @@ use crate::syntax::tree::{self, Expr};
 use crate::syntax::words::built_by;
 
 use crate::model::as_written::braces;
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{GroupId, GroupName, PartOf, PointId, Step};
 use crate::model::names::{Entity, Kind};
 use crate::model::parts_of_groups::{OuterJoint, Parts};
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::model::statements::Rules;
 use crate::model::{declared, drawn_joints, drawn_sliding, fields, jointed, uses};
 
@@ -65,7 +65,7 @@ impl Rules for tree::GroupStatement {
         format!("{} {}{pin} {}", self.keyword, legs.join(", "), braces(self))
     }
 
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         shifts.group(self);
     }
 }

@@ -7,10 +7,10 @@ use crate::syntax::tree::{Expr, ForceBetweenStatement, ForceStatement};
 
 use crate::model::acting::{Axes, Force};
 use crate::model::as_written::{pair, text};
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{Body, Carrier, Dimension, PointId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::model::statements::{Rules, acts};
 use crate::model::uses;
 
@@ -37,7 +37,7 @@ impl Rules for ForceStatement {
         format!("force {}{axes} on {};", pair(&self.value), self.on)
     }
 
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         self.value = match &self.axes {
             Some(axes) => shifts.components(axes, &self.value),
             None => shifts.pair(&self.value),

@@ -10,13 +10,13 @@ use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 use crate::model::as_written::{self, pair, text};
 use crate::model::assembly::constants;
 use crate::model::facts::GuideFacts;
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{
     Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through,
 };
 use crate::model::names::{Entity, Kind};
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::model::statements::Rules;
 use crate::model::{numbers, uses};
 
@@ -77,7 +77,7 @@ impl Rules for GuideStatement {
         format!("guide {}{} through {through} {course};", self.name, as_written::on(&self.on))
     }
 
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         if let Some(place) = shifts.through(self) {
             self.through = GuideAnchor::At(place);
         }

@@ -9,10 +9,10 @@ use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassState
 use crate::model::acting::{Magnitude, Mass, MassPlace};
 use crate::model::as_written::{pair, text};
 use crate::model::folding::shown;
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::model::statements::{Rules, acts, guides};
 use crate::model::{numbers, on_drawn_links, uses};
 
@@ -53,7 +53,7 @@ impl Rules for MassStatement {
         format!("mass {} on {}{place}{inertia};", text(&self.value), self.on)
     }
 
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         self.value = shifts.expr(&self.value);
         self.inertia = self.inertia.as_ref().map(|inertia| shifts.expr(inertia));
         if let Written::At(at) = &mut self.place {

@@ -27,10 +27,10 @@ pub(super) mod stop;
 pub(super) mod torque;
 pub(super) mod unknowns;
 
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::names::Entity;
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::syntax::tree::Action;
 use crate::syntax::tree::Expr;
 use crate::syntax::tree::Statement;
@@ -84,7 +84,7 @@ pub(super) trait Rules {
     }
 
     /// Puts what stands in the frames of drawn links into those of their groups.
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         for expr in self.expressions_mut() {
             *expr = shifts.expr(expr);
         }

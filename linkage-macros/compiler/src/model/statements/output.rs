@@ -11,13 +11,13 @@ use crate::syntax::tree::{
 };
 
 use crate::model::as_written::text;
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::link_efforts::MEMBERS;
 use crate::model::mechanism::{LinkId, OutputKind};
 use crate::model::names::{Entity, Kind};
 use crate::model::reads::Allowed;
 use crate::model::resolved_expr::{ResolvedExpr, bare_name};
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::model::statements::{Rules, drive_by};
 use crate::model::{dynamics_outputs, effort_formulas, expressions, given, laws, readings, uses};
 
@@ -38,7 +38,7 @@ impl Rules for OutputStatement {
         format!("output {};", items.collect::<Vec<_>>().join(", "))
     }
 
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         for item in &mut self.items {
             // A part of a link by itself is a direction.
             if item.name.is_some() || !matches!(item.value.kind, ExprKind::Member(..)) {

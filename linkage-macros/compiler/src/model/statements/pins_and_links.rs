@@ -9,7 +9,7 @@ use crate::model::mechanism::PartOf;
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
-use crate::model::{as_written, declared, stub};
+use crate::model::{as_written, declared};
 
 impl Rules for PinStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -27,7 +27,7 @@ impl Rules for PinStatement {
     fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {}
 
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
-        let by_itself = stub::group_by_itself(scope, "pin", name);
+        let by_itself = declared::group_by_itself(scope, "pin", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
     }
 
@@ -58,7 +58,7 @@ impl Rules for LinkStatement {
 
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let slides = !self.links.iter().find(|link| link.name == *name)?.on.is_empty();
-        let by_itself = stub::group_by_itself(scope, "link", name);
+        let by_itself = declared::group_by_itself(scope, "link", name);
         Some(Entity::Link(declared::new_link(scope, docs, name, by_itself, slides)))
     }
 

@@ -10,15 +10,15 @@ use crate::syntax::tree::{self, Expr, Expr as Written, PointStatement};
 use crate::model::as_written::{self, pair};
 use crate::model::assembly::{constants, polar};
 use crate::model::folding::shown;
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{
     Carrier, GroupName, Length, LinkId, PartOf, Placement, Scalar, Sign, Step,
 };
 use crate::model::names::{Entity, Kind};
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::model::statements::{Rules, guides};
-use crate::model::{declared, fits, modes, numbers, stub, uses};
+use crate::model::{declared, fits, modes, numbers, uses};
 
 impl Rules for PointStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -47,7 +47,7 @@ impl Rules for PointStatement {
     }
 
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
-        let by_itself = stub::group_by_itself(scope, "point", name);
+        let by_itself = declared::group_by_itself(scope, "point", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
     }
 
@@ -63,7 +63,7 @@ impl Rules for PointStatement {
         format!("point {}{} {place};", self.name, as_written::on(&self.on))
     }
 
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         self.place = shifts.point(self.on.as_ref(), &self.place);
     }
 }

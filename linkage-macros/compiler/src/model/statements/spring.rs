@@ -8,11 +8,11 @@ use crate::syntax::tree::{Expr, GroupStatement, SpringStatement};
 
 use crate::model::acting::{Ends, Magnitude, Spring};
 use crate::model::as_written::{self, braces};
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{self, Carrier, Dimension, PointId, SpringId};
 use crate::model::names::{Entity, Kind};
 use crate::model::parts_of_groups::Fields;
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::model::statements::{Rules, acts, mass};
 use crate::model::{fields, numbers, uses};
 
@@ -84,7 +84,7 @@ impl Rules for SpringStatement {
         format!("spring{name} between {a} and {b} {}", braces(&self.fields))
     }
 
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         shifts.group(&mut self.fields);
     }
 }

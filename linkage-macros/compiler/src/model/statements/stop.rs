@@ -8,10 +8,10 @@ use crate::syntax::tree::{Expr, StopStatement};
 
 use crate::model::acting::{Magnitude, Stop, Stopped};
 use crate::model::as_written::{self, braces, pair, text};
+use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{AngleSum, Dimension, Scalar, StopId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
-use crate::model::shifts::Shifts;
 use crate::model::statements::{Rules, acts, mass};
 use crate::model::{expressions, fields, numbers, uses};
 
@@ -65,7 +65,7 @@ impl Rules for StopStatement {
         format!("stop{name} {of} between {} {}", pair(&self.ends), braces(&self.fields))
     }
 
-    fn shift(&mut self, shifts: &dyn Shifts) {
+    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         self.of = shifts.expr(&self.of);
         shifts.group(&mut self.fields);
     }

@@ -1,11 +1,11 @@
-//! What the rules of a statement ask of the frames that groups give drawn links.
+//! The frames that groups give drawn links, as far as the rules of a statement ask for them.
 
 use proc_macro2::Ident;
 
 use crate::syntax::tree::{Expr, GroupStatement, GuideStatement, PointPlace};
 
 /// Puts what stands in the frames that links are written in into those of their groups.
-pub(super) trait Shifts {
+pub(super) trait FramesOfGroups {
     /// An expression in which the angles of links are those of their groups' frames.
     fn expr(&self, expr: &Expr) -> Expr;
 

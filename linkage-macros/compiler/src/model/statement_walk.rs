@@ -17,7 +17,7 @@ pub(super) fn statements(scope: &mut Scope<'_>, tree: &Declaration) {
 }
 
 pub(super) fn statement(scope: &mut Scope<'_>, statement: &Statement) {
-    // What a statement makes moves if anything that it uses does.
+    // A statement moves what it makes if anything that it uses does.
     let moves = uses(scope, statement, |scope, entity| scope.facts.moves(entity));
     rules(statement).resolve(scope, &statement.docs, moves);
 }
