@@ -211,6 +211,25 @@ fn the_last_digits_of_a_drawing_change_no_meaning() {
     }
 }
 
+/// A bar that is drawn against the way of its rack, to the last digits on either side of it, is turned by half a turn and
+/// not by minus that: a spring to a crank, whose angle no half turn ends, is wound alike.
+#[test]
+fn a_link_against_its_guide_is_turned_one_way() {
+    let wound = |by: &str, against: &str| {
+        let statements = format!(
+            "ground L(-0.6m, 0); guide rack through (0, -0.12m) along 0deg; pin l(-0.56m, -0.14m),
+             p(-0.3m, -0.12m{by}), q(0.3m, -0.12m); link bar(q, p) on rack, rod(p, l), wheel(L, l);
+             mass 1kg on wheel uniform; spring coil between {against} {{ stiffness: 1(N*m/rad), free_angle: 20deg }}"
+        );
+        let rack = of(&statements, ["wheel", "angle"]);
+        rack.answers("forces", &[[-1.3, 0.0, 0.0]]).named("coil.torque")
+    };
+    for against in ["bar and wheel", "wheel and bar"] {
+        let [below, on, above] = [" - 1e-9m", "", " + 1e-9m"].map(|by| wound(by, against));
+        assert!((below - on).abs() < 1e-8 && (above - on).abs() < 1e-8, "{below} {on} {above}");
+    }
+}
+
 /// In single precision each drive gives the numbers of double precision, to a thousand units in the last place.
 #[test]
 fn single_precision_follows_both_drives() {

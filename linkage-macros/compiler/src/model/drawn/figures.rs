@@ -237,6 +237,19 @@ impl Pen {
         Figure { text, value: y.value.atan2(x.value), exact, power: 0 }
     }
 
+    /// The angle of a direction against another, between −110° and 250°: a half turn, which drawings have often, lies far
+    /// from both ends, so that its last digits change it by no whole turn.
+    pub(super) fn turn(&self, along: &[Figure; 2]) -> Figure {
+        const LEAST: f64 = -11.0 / 18.0 * std::f64::consts::PI;
+        let angle = self.angle(along);
+        if angle.value >= LEAST {
+            return angle;
+        }
+        let exact = Exact::pi().mul(&Exact::integer(2));
+        let whole = Figure::plain(self.float(1.0, "turn"), std::f64::consts::TAU, Some(exact));
+        self.add(&angle, &whole)
+    }
+
     /// A length of the drawing that is known as a float only: its shortest decimal.
     pub(super) fn drawn(&self, value: f64) -> Figure {
         let exact = Exact::decimal(&format!("{:?}", value.abs()));

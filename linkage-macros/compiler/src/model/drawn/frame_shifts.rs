@@ -67,7 +67,7 @@ impl FrameShifts {
                 let along = own.local_direction(&pen, &written.axis);
                 let size = pen.size(&along);
                 let axis = along.each_ref().map(|part| pen.div(part, &size));
-                (Some(pen.angle(&along)), axis)
+                (Some(pen.turn(&along)), axis)
             }
         };
         let origin = match (length, written.points) {

@@ -42,7 +42,7 @@ impl Writer<'_, '_> {
         let pen = self.pen.at(guide.name.span());
         let frame = DrawnFrame { origin: self.beginning(&pen, joint.body, &frame), ..frame };
         let through = frame.local(&pen, &guide.line.through).map(|number| number.text);
-        let along = pen.angle(&frame.local_direction(&pen, &guide.line.along)).text;
+        let along = pen.turn(&frame.local_direction(&pen, &guide.line.along)).text;
         let kind = StatementKind::Guide(GuideStatement {
             name: name.clone(),
             on: Some(known.clone()),
