@@ -79,7 +79,7 @@ fn agree(driven: &Driven, off: f64, moved: impl Fn(&str) -> String) -> usize {
     compared
 }
 
-const MACHINES: [Driven; 7] = [
+const MACHINES: [Driven; 8] = [
     Driven {
         name: "a block in the slot of a rocker",
         statements: "ground B(0, 0), D(0.6m, 0.6m); pin P(0.3m, 0.35m), Q(-0.2m, -0.233m);
@@ -151,6 +151,16 @@ const MACHINES: [Driven; 7] = [
             friction 0.1 on cart length 0.1m; friction 0.1 on tool;
             stop end tool.slide between (-0.1m, 0.02m) { stiffness: 100(N/m) }",
         drives: [["AB", "angle"], ["cart", "slide"]],
+        load: "torque E on AB;",
+    },
+    Driven {
+        name: "a four-bar with loads on its joints",
+        statements: "ground A(0, 0), D(0.6657m, 0); pin B(80mm, 10mm), C(0.6m, 0.36m), P(0.57m, 90mm);
+            link AB(A, B), BC(B, C, P), DC(D, C); mass 1kg on B; mass 2kg on C; force (5N, -2N) on C; gravity (0, -9.81);
+            force (-1(N*s/m) * rate(B.x), 3N) on B; friction 0.1 on BC at C radius 20mm;
+            friction 0.1 on BC at B radius 20mm; mass 1kg on P; stop end distance(A, C) between (0, 0.69m) { stiffness: 50(N/m) }
+            spring tie between D and B { stiffness: 15(N/m), free_length: 0.3m, damping: 1.5(N*s/m) }",
+        drives: [["AB", "angle"], ["DC", "angle"]],
         load: "torque E on AB;",
     },
     Driven {

@@ -7,13 +7,15 @@
 use proc_macro2::Ident;
 
 use super::expr::Scalar;
-use super::ids::LinkId;
+use super::ids::{LinkId, PointId};
 
 /// The statements of a drawing about its links; empty where nothing is drawn.
 #[derive(Default)]
 pub(crate) struct AsDrawn {
     pub slides: Vec<DrawnSlide>,
     pub drives: Vec<DrawnDrive>,
+    /// Joints between links, which are bodies without mass of their own whichever link a group makes them with.
+    pub joints: Vec<PointId>,
     /// The links whose frame is turned against that of their group, and the angle.
     pub turns: Vec<(LinkId, Scalar)>,
 }

@@ -33,6 +33,11 @@ pub(in crate::model) fn joints_are_as_drawn(scope: &mut Scope<'_>, parts: &Parts
 /// The drives and the directions of frames, once all links are made.
 pub(in crate::model) fn links_are_as_drawn(scope: &mut Scope<'_>) {
     let Some(drawn) = scope.drawn else { return };
+    let joints = drawn.joints.iter().filter_map(|name| match scope.names.entity(name) {
+        Some(Entity::Point(point)) => Some(point),
+        _ => None,
+    });
+    scope.mechanism.as_drawn.joints = joints.collect();
     let link = |name: &Ident, scope: &Scope<'_>| match scope.names.entity(name) {
         Some(Entity::Link(link)) => Some(link),
         _ => None,

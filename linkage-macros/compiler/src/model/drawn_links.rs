@@ -14,6 +14,8 @@ pub(in crate::model) struct DrawnLinks {
     /// Links and unknowns among them, and the links of the drawing that each stands for.
     pub hidden: Vec<(Ident, Vec<Ident>)>,
     pub turned: Vec<TurnedFrame>,
+    /// Pins between links.
+    pub joints: Vec<Ident>,
     pub bars: Vec<BarFound>,
     pub pins: Vec<PinFound>,
     /// In the order in which groups make their joints.

@@ -1,7 +1,7 @@
 //! Slides, drives and directions of links, read from what is drawn of them.
 
 use super::as_drawn::DrawnSlide;
-use super::mechanism::{Drive, LinkId, Mechanism, Scalar};
+use super::mechanism::{Drive, LinkId, Mechanism, PointId, Scalar};
 
 impl Mechanism {
     /// The slide of the drawing that is the joint by which a link slides in its group.
@@ -38,6 +38,16 @@ impl Mechanism {
     /// The link whose driver drives this one, where its group has the drive the other way round.
     pub(crate) fn driven_by_another(&self, link: LinkId) -> Option<LinkId> {
         self.as_drawn.drives.iter().find(|drive| drive.link == link).map(|drive| drive.by)
+    }
+
+    /// True if a point is a joint of a drawing.
+    pub(crate) fn is_drawn_joint(&self, point: PointId) -> bool {
+        self.as_drawn.joints.contains(&point)
+    }
+
+    /// True if something is put on a joint of a drawing.
+    pub(crate) fn is_loaded_joint(&self, point: PointId) -> bool {
+        self.is_drawn_joint(point) && self.dynamics.loads_point(point)
     }
 
     /// True if a link is driven along a guide.

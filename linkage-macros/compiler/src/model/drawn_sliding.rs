@@ -39,3 +39,8 @@ pub(in crate::model) fn slides_by(
     };
     uses::link(scope, &Ident::new(&slide.by.to_string(), name.span()))
 }
+
+/// True if a point is a joint between drawn links.
+pub(in crate::model) fn is_joint_of_a_drawing(scope: &Scope<'_>, point: &Ident) -> bool {
+    scope.drawn.is_some_and(|drawn| drawn.joints.contains(point))
+}

@@ -107,6 +107,10 @@ fn bearing(mechanism: &Mechanism, link: &str, joint: PointId) -> String {
     let others: Vec<_> = others.map(|&(_, by)| format!("`{}`", name(by))).collect();
     let point = text(&mechanism.points[joint.index()].name);
     let others = others.join(", ");
+    let others = match mechanism.is_loaded_joint(joint) {
+        true => format!("{others}, and by what is put on it"),
+        false => others,
+    };
     format!("force in N on `{link}` at `{point}`, exerted by all that stand on it: {others}")
 }
 

@@ -40,6 +40,8 @@ pub(in crate::equations) struct Walk<'k, 's> {
     pub(super) found: HashMap<Effort, Vec<Sym<'s>>>,
     /// By point, the sum of what the links that stand on it put on it.
     standing: HashMap<PointId, Vector<'s>>,
+    /// By point, the sum of what is put on it but for joints.
+    put: HashMap<PointId, Vector<'s>>,
     pub(super) rubs: Rubs<'k, 's>,
     /// The power that friction takes.
     pub(in crate::equations) losses: Sym<'s>,
@@ -100,6 +102,7 @@ impl<'k, 's> Walk<'k, 's> {
             sought: vec![builder.zero(); mechanism.unknowns.len()],
             found: HashMap::new(),
             standing: HashMap::new(),
+            put: HashMap::new(),
             rubs,
             losses: builder.zero(),
             amounts: HashMap::new(),
@@ -132,7 +135,11 @@ impl<'k, 's> Walk<'k, 's> {
             Effort::Input(input) => vec![self.efforts[input.index()]],
             Effort::Pull => vec![self.kinematics.value_of_pull()],
             Effort::Bearing(_, point) => {
-                let Vector { x, y } = self.standing.get(&point).copied().unwrap_or(zero);
+                let standing = self.standing.get(&point).copied().unwrap_or(zero);
+                let Vector { x, y } = match self.kinematics.mechanism.is_drawn_joint(point) {
+                    true => standing + self.put.get(&point).copied().unwrap_or(zero),
+                    false => standing,
+                };
                 vec![x, y]
             }
             Effort::Losses => vec![self.losses],
@@ -244,6 +251,9 @@ impl<'k, 's> Walk<'k, 's> {
 
     /// A force on a point, and so on what the point belongs to.
     pub(super) fn push(&mut self, point: PointId, force: Vector<'s>) {
+        let zero = self.builder().zero_vector();
+        let sum = self.put.entry(point).or_insert(zero);
+        *sum = *sum + force;
         self.push_body(loads::owner(self.kinematics, point), point, force);
     }
 

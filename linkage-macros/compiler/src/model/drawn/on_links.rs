@@ -1,5 +1,7 @@
 //! Bars and pins of links whose group has no such bar, or makes the pin elsewhere.
 
+use proc_macro2::Ident;
+
 use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::{Heading, Origin};
 use crate::model::drawn::writer::Writer;
@@ -10,6 +12,17 @@ impl Writer<'_, '_> {
     pub(super) fn bars_between_pins(&self) -> Vec<BarFound> {
         let bodies = 1..self.bodies.machine.bodies.len();
         bodies.filter_map(|body| self.bar_between_pins(body)).collect()
+    }
+
+    /// The pins between links that no group has which is declared by hand.
+    pub(super) fn joints(&self) -> Vec<Ident> {
+        let machine = &self.bodies.machine;
+        let is_joint = |pin: &usize| {
+            let mut bodies = machine.at(*pin);
+            bodies.all(|body| !machine.is_given(body)) && machine.at(*pin).count() > 1
+        };
+        let joints = (0..machine.pins.len()).filter(is_joint);
+        joints.map(|pin| self.bodies.pins[pin].name.clone()).collect()
     }
 
     fn bar_between_pins(&self, body: usize) -> Option<BarFound> {

@@ -91,7 +91,7 @@ impl<'b, 't> Writer<'b, 't> {
 
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
-        let bars = self.bars_between_pins();
+        let (bars, joints) = (self.bars_between_pins(), self.joints());
         let Self {
             bodies,
             turns,
@@ -117,7 +117,7 @@ impl<'b, 't> Writer<'b, 't> {
         let drawn = bodies.links.iter().filter(|link| !link.is_given);
         let hidden = links.hidden.iter().map(|(name, _)| name);
         links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
-        links.bars = bars;
+        (links.bars, links.joints) = (bars, joints);
         links.names = names.made;
         links.turned = turns.directions();
         Translated { statements, links, searches, ends, holds_links, misplaced }

@@ -265,7 +265,9 @@ fn only_pair(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
     let pin = uses::point(scope, name)?;
     let (standing, joined) = at_pin(scope, pin);
     match (&standing[..], &joined[..], base(scope, pin)) {
-        (&[link], [], Some(against)) => return Some(Contact::Pin { link, pin, against }),
+        (&[link], [], Some(against)) if !scope.mechanism.is_loaded_joint(pin) => {
+            return Some(Contact::Pin { link, pin, against });
+        }
         (&[], &[link, other], _) if !is_loaded(scope, pin) => {
             return Some(Contact::Pin { link, pin, against: Carrier::Link(other) });
         }
@@ -279,7 +281,7 @@ fn only_pair(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
             "a pin's friction stands at a joint, and a slide's is `friction 0.1 on ram`"
                 .to_string(),
         ),
-        ([first, ..], 2) if standing.is_empty() => (
+        ([first, ..], _) if standing.is_empty() || scope.mechanism.is_loaded_joint(pin) => (
             format!("something is put on `{name}` itself: say which link turns on it"),
             format!("as in {}", of_link(first, name)),
         ),
@@ -316,6 +318,9 @@ fn link_on_pin(scope: &mut Scope<'_>, name: &Ident, pin_name: &Ident) -> Option<
     if let (Some(Body::Link(owner)), &[only]) = (scope.mechanism.owner(pin), &standing[..])
         && owner == link
     {
+        if scope.mechanism.is_loaded_joint(pin) {
+            return other_link_rubs(scope, pin_name, only);
+        }
         return Some(Contact::Pin { link: only, pin, against: Carrier::Link(link) });
     }
     let message = format!("`{name}` does not turn at `{pin_name}`");
@@ -326,6 +331,15 @@ fn link_on_pin(scope: &mut Scope<'_>, name: &Ident, pin_name: &Ident) -> Option<
         false => format!("there turn {}", quoted_list(&links)),
     };
     scope.diagnostics.error_because(name.span(), message, reason);
+    None
+}
+
+/// Something is put on a joint of a drawing: each link is pressed by another force, and what presses this one is not
+/// that of the group's friction.
+fn other_link_rubs(scope: &mut Scope<'_>, pin: &Ident, other: LinkId) -> Option<Contact> {
+    let other = named_link(scope, other);
+    let message = format!("something is put on `{pin}` itself: let `{other}` rub");
+    scope.diagnostics.error_because(pin.span(), message, format!("as in {}", of_link(&other, pin)));
     None
 }
 

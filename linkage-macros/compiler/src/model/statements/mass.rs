@@ -8,6 +8,7 @@ use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassState
 
 use crate::model::acting::{Magnitude, Mass, MassPlace};
 use crate::model::as_written::{pair, text};
+use crate::model::drawn_sliding;
 use crate::model::folding::shown;
 use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
@@ -221,6 +222,10 @@ fn point_mass(scope: &mut Scope<'_>, on: &Ident) -> Option<MassPlace> {
     let point = uses::point(scope, on)?;
     match scope.mechanism.owner(point)? {
         Body::Ground => acts::ground_moves_nothing(scope, on, "mass"),
+        // A joint between links is a body of its own, as in a dyad.
+        Body::Link(_) if drawn_sliding::is_joint_of_a_drawing(scope, on) => {
+            Some(MassPlace::Pin(point))
+        }
         Body::Link(link) => Some(MassPlace::Point(link, point)),
         Body::Pin(point) => Some(MassPlace::Pin(point)),
     }

@@ -4,6 +4,28 @@ use super::*;
 
 const WRITTEN: &str = "at one of its pins friction is `friction 0.1 on";
 
+/// A joint of a drawing with a load is a body of its own, and each of its links is pressed by another force.
+#[test]
+fn friction_at_a_loaded_joint_of_a_drawing_is_that_of_the_link_that_stands_there() {
+    const DRAWN: &str = "input t: angle; ground A(0, 0), D(4m, 0); pin B(0, 1m), C(3m, 2m); \
+                         link AB(A, B), BC(B, C), DC(D, C); drive AB.angle = t; mass 1kg on B;";
+    check(&[
+        (DRAWN, "friction 0.1 on BC at B radius 8mm;", ""),
+        (
+            DRAWN,
+            "friction 0.1 at B radius 8mm;",
+            "B: something is put on `B` itself: say which link turns on it / as in `friction 0.1 on BC at B \
+             radius 8mm`",
+        ),
+        (
+            DRAWN,
+            "friction 0.1 on AB at B radius 8mm;",
+            "B: something is put on `B` itself: let `BC` rub / as in `friction 0.1 on BC at B radius 8mm`",
+        ),
+        (DRAWN, "friction 0.1 at C radius 8mm;", ""),
+    ]);
+}
+
 /// Several links meet at a pin that others stand on.
 #[test]
 fn friction_names_one_joint() {

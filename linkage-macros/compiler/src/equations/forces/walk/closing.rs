@@ -27,6 +27,8 @@ impl<'s> Walk<'_, 's> {
         let push = -(power / kinematics.slopes[id.index()]);
         let mechanism = kinematics.mechanism;
         let left_out = mechanism.left_out(id);
+        // The bar or the block pushes as a joint does.
+        let put = self.put.clone();
         match &mechanism.unknowns[id.index()].equation {
             Equation::Difference([left, right]) => {
                 self.transmit(left, -push);
@@ -45,6 +47,7 @@ impl<'s> Walk<'_, 's> {
                 self.note_bar(left_out, *points, push);
             }
         }
+        self.put = put;
     }
 
     /// A bar that pushes its ends apart is pressed together by its pins.
