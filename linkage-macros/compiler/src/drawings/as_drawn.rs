@@ -217,6 +217,44 @@ fn declared_lengths_are_measured_from_the_first_pin() {
     near(position.angle("ram.angle"), (-0.08_f64).atan2(0.1), OFF);
 }
 
+/// Distances are those from the first two pins of the statement, on the side as seen from the first.
+#[test]
+fn distances_are_measured_from_the_first_two_pins() {
+    for (link, [from, to]) in
+        [("BC(B, C, P)", ["B", "C"]), ("BC(C, B, P)", ["C", "B"]), ("BC(P, B, C)", ["P", "B"])]
+    {
+        for side in ["left", "right"] {
+            let four_bar = of(&format!(
+                "input t: angle; ground A(0, 0), D(665.7mm, 0); pin B(80mm, 0), C(600mm, 360mm), P(570mm, 90mm);
+                 link AB(A, B), {link}, DC(D, C); drive AB.angle = t;
+                 point E on BC at distances (300mm, 450mm) {side}; output B, C, P, E;"
+            ));
+            let position = at_rest(&four_bar, &[0.4]);
+            let [from, to, e] = [from, to, "E"].map(|point| place(&position, point));
+            let [a, b] = [minus(e, from), minus(e, to)];
+            near(a[0].hypot(a[1]), 0.3, OFF);
+            near(b[0].hypot(b[1]), 0.45, OFF);
+            assert_eq!(cross(minus(to, from), a) > 0.0, side == "left", "{link}");
+        }
+    }
+}
+
+#[test]
+fn distances_that_do_not_meet_are_told() {
+    for link in ["BC(B, C, P)", "BC(P, B, C)"] {
+        let told = machine(&format!(
+            "pub struct M {{ input t: angle; ground A(0, 0), D(665.7mm, 0); pin B(80mm, 0), C(600mm, 360mm), P(570mm, 90mm);
+             link AB(A, B), {link}, DC(D, C); drive AB.angle = t; point E on BC at distances (30mm, 45mm) left; }}"
+        ));
+        let told = told.err().expect("they do not meet");
+        let [told] = &told[..] else { panic!("{told:?}") };
+        assert!(
+            told.starts_with("no point has the distances of `E`; change them\n`BC` is"),
+            "{told}"
+        );
+    }
+}
+
 const TRIAD: &str = "input t: angle; ground A(0, 0), D(3m, 0), F(1.5m, -1m);
     pin B(0.5m, 0.2m), C1(0.8m, 1m), C2(2m, 1.2m), C3(1.5m, 0.5m);
     link AB(A, B), bar1(B, C1), plate(C1, C2, C3), bar2(D, C2), bar3(F, C3); drive AB.angle = t; gravity (0, -9.81);";

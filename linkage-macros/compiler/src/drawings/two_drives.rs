@@ -138,7 +138,7 @@ const MACHINES: [Driven; 8] = [
             friction 0.1 on BC at C radius 20mm; friction 0.1 on AB at A radius 20mm;
             spring coil between AB and BC { stiffness: 3(N*m/rad), free_angle: 10deg, damping: 0.2(N*m*s/rad) }
             stop end BC.angle between (0deg, 40deg) { stiffness: 5(N*m/rad), damping: 1(N*m*s/rad) }
-            point E on BC at (20mm, 30mm); guide slot on BC through E along 20deg;",
+            point E on BC at (20mm, 30mm); point F on BC at distances (0.2m, 0.4m) right; guide slot on BC through E along 20deg;",
         drives: [["AB", "angle"], ["DC", "angle"]],
         load: "torque E on AB;",
     },

@@ -28,8 +28,6 @@ pub(in crate::model) struct DrawnLinks {
 pub(in crate::model) struct TurnedFrame {
     pub link: Ident,
     pub angle: Expr,
-    /// True if it goes from one pin of the group's bar to the other, the other way round.
-    pub is_reversed: bool,
 }
 
 /// A slide as it is drawn, by the joint of a group: see [`DrawnSlide`].

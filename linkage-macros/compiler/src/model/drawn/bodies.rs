@@ -16,6 +16,8 @@ pub(super) struct PinPlace<'t> {
     pub at: [Figure; 2],
     /// Where it is declared on a link: the place, which the link's frame gives.
     pub on: Option<(usize, &'t PointPlace)>,
+    /// Constant distances by which it is declared, and what they are between, where they do not meet.
+    pub apart: Option<[f64; 3]>,
 }
 
 /// A link of the drawing.

@@ -214,6 +214,11 @@ impl Pen {
         self.made((value, a.power), folded(a, b, Exact::hypot), || self.call("hypot", &[a, b]))
     }
 
+    /// The length whose square is given.
+    pub(super) fn side(&self, square: &Figure) -> Figure {
+        Figure::length(root_of(square.text.clone(), self.at), square.value.powf(0.5), None)
+    }
+
     pub(super) fn cos(&self, angle: &Figure) -> Figure {
         let exact = angle.exact.as_ref().map(Exact::cos);
         self.made((angle.value.cos(), 0), exact, || self.call("cos", &[angle]))
@@ -312,4 +317,9 @@ impl Pen {
 pub(super) fn sum(first: Expr, second: Expr) -> Expr {
     let span = first.span;
     Expr { kind: ExprKind::Chain(Box::new(first), vec![(BinaryOp::Add, second)]), span }
+}
+
+/// The square root of an expression.
+pub(super) fn root_of(square: Expr, at: Span) -> Expr {
+    Expr { kind: ExprKind::Call(Ident::new("sqrt", at), vec![square]), span: at.into() }
 }

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Span};
 use crate::chain::fit::{DeadEnds, Following, Terms};
 use crate::syntax::tree::{BinaryOp, Expr, ExprKind, LetStatement, StatementKind};
 
-use crate::model::drawn::figures::{Figure, Pen, sum};
+use crate::model::drawn::figures::{Figure, Pen, root_of, sum};
 use crate::model::drawn::free_names::FreeNames;
 
 /// The names of an unknown's fit.
@@ -128,10 +128,6 @@ impl Writing {
         }
     }
 
-    fn call(&self, function: &str, argument: Expr) -> Expr {
-        self.expr(ExprKind::Call(Ident::new(function, self.0), vec![argument]))
-    }
-
     fn chain(&self, a: Expr, operator: BinaryOp, b: Expr) -> Expr {
         self.expr(ExprKind::Chain(Box::new(a), vec![(operator, b)]))
     }
@@ -150,9 +146,9 @@ impl Writing {
         let factor = sum(self.number(mean), self.times(self.name(odd), skew));
         // Beyond a dead point it is zero, (x + |x|)/2: the search then finds no root, where a root of a negative number
         // would be none itself.
-        let size = self.call("sqrt", self.product(falling.clone(), falling.clone()));
+        let size = root_of(self.product(falling.clone(), falling.clone()), self.0);
         let falling = self.times(sum(falling, size), 0.5);
-        sum(fit, self.product(self.call("sqrt", falling), factor))
+        sum(fit, self.product(root_of(falling, self.0), factor))
     }
 
     /// A polynomial by Horner's rule.

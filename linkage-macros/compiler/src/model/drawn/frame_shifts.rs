@@ -93,8 +93,8 @@ impl FrameShifts {
     /// The links whose directions are other ones.
     pub(super) fn directions(self) -> Vec<TurnedFrame> {
         let turned = self.by_link.into_values();
-        let turned = turned.filter_map(|FrameShift { link, angle, is_reversed, .. }| {
-            Some(TurnedFrame { link, angle: angle?.text, is_reversed })
+        let turned = turned.filter_map(|FrameShift { link, angle, .. }| {
+            Some(TurnedFrame { link, angle: angle?.text })
         });
         let mut turned: Vec<_> = turned.collect();
         turned.sort_by_key(|turned| turned.link.to_string());

@@ -12,6 +12,9 @@ use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::{DrawnFrame, DrawnLine, Heading, Origin};
 use crate::model::drawn::reader::Reader;
 
+/// The part of a distance by which rounding may miss another.
+const MISSED: f64 = 1e-12;
+
 /// The frames of all links as they are written, and the lines of all guides. `None` where they
 /// stand on each other in a circle, which is reported.
 pub(super) fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<DrawnFrame>> {
@@ -99,15 +102,20 @@ fn point_of_link(
             [pen.mul(&radius, &pen.cos(&angle)), pen.mul(&radius, &pen.sin(&angle))]
         }
         PointPlace::Distances([first, second], side) => {
-            let [a, b] = [reader.values.length(first)?.value, reader.values.length(second)?.value];
+            let distances = [reader.values.length(first)?, reader.values.length(second)?];
+            let is_constant = distances.iter().all(|distance| distance.exact.is_some());
+            let [a, b] = distances.map(|distance| distance.value);
             let long = match &reader.links[body - 1].length {
                 Some((_, Some(length))) => length.value,
                 _ => frame.axis[0].value.hypot(frame.axis[1].value),
             };
             let x = (long + (a - b) * (a + b) / long) / 2.0;
-            // Where the distances do not meet is said where the point is resolved.
-            let y = root(((a - x) * (a + x)).max(0.0));
-            [x, if side == "left" { y } else { -y }].map(|value| pen.drawn(value))
+            let square = (a - x) * (a + x);
+            reader.pins[pin].apart =
+                (is_constant && square < -MISSED * a * a).then_some([a, b, long]);
+            // Where the distances do not meet is said where the link is placed.
+            let y = root(square.max(0.0));
+            [x, if is_left(side) { y } else { -y }].map(|value| pen.drawn(value))
         }
         PointPlace::Mistake => return None,
     };
@@ -265,4 +273,9 @@ fn direction(
 
 fn pin_named(reader: &Reader<'_, '_, '_>, name: &Ident) -> Option<usize> {
     reader.pins.iter().position(|pin| pin.name == *name)
+}
+
+/// True if a point at distances lies on the left of its link, as seen from the first pin.
+pub(super) fn is_left(side: &Ident) -> bool {
+    side == "left"
 }

@@ -6,12 +6,11 @@ use crate::chain::Trouble;
 use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::{GROUND, Machine};
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Declaration, DriveStatement, PointPlace, PointStatement, StatementKind};
+use crate::syntax::tree::{Declaration, DriveStatement, StatementKind};
 
 use crate::model::acting::RequestedEffort;
 use crate::model::as_written::text;
 use crate::model::drawn::bodies::Bodies;
-use crate::model::drawn_links::TurnedFrame;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
 
@@ -271,34 +270,4 @@ pub(super) fn report_limit(bodies: &Bodies<'_>, dyad: &Dyad, diagnostics: &mut D
         ),
     };
     diagnostics.error_because(bodies.link(b).name.span(), message, "draw another pose");
-}
-
-/// Reports distances that are measured along the bar of a group, where the link's own frame is another one: the two would
-/// be taken for each other.
-pub(super) fn report_turned(
-    tree: &Declaration,
-    turned: &[TurnedFrame],
-    diagnostics: &mut Diagnostics,
-) {
-    for statement in &tree.statements {
-        let StatementKind::Point(PointStatement {
-            on: Some(on),
-            place: PointPlace::Distances(..),
-            ..
-        }) = &statement.kind
-        else {
-            continue;
-        };
-        let is_elsewhere = |turned: &TurnedFrame| turned.link == *on && !turned.is_reversed;
-        if !turned.iter().any(is_elsewhere) {
-            continue;
-        }
-        let message = format!(
-            "distances are measured in the frame of the group of `{on}`, and `{on}` is drawn in another"
-        );
-        let reason = format!(
-            "begin `link {on}(…)` with the two joints of its dyad, the outer one first, or declare the group by hand"
-        );
-        diagnostics.error_because(on.span(), message, reason);
-    }
 }

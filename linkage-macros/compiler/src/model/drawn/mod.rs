@@ -125,7 +125,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     docs.extend(printed::documentation(tree, &translated));
     let writer::Translated { statements, links, ends, holds_links, misplaced, .. } = translated;
     placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
-    messages::report_turned(tree, &links.turned, values.scope.diagnostics);
+    placed::report_distances_apart(&bodies, &links.bars, values.scope.diagnostics)?;
     let declaration = Declaration {
         docs,
         visibility: tree.visibility.clone(),

@@ -8,7 +8,9 @@ use crate::syntax::tree::{Expr, PointPlace, PointStatement, StatementKind};
 use crate::model::drawn::bodies::{Bodies, PinPlace};
 use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
+use crate::model::drawn::lengths::in_words;
 use crate::model::drawn::writer::Writer;
+use crate::model::drawn_links::BarFound;
 
 /// Reports points whose place on their link needs the link to be placed first, where the link is placed from them:
 /// those at distances, and those beside the far end of a declared length.
@@ -36,6 +38,26 @@ pub(super) fn report_places_of_unplaced(
                       link is placed already";
         diagnostics.error_because(name.span(), message, reason);
         is_well = None;
+    }
+    is_well
+}
+
+/// Reports constant distances that do not meet, from pins between which no group has a bar.
+pub(super) fn report_distances_apart(
+    bodies: &Bodies<'_>,
+    bars: &[BarFound],
+    diagnostics: &mut Diagnostics,
+) -> Option<()> {
+    let mut is_well = Some(());
+    for pin in &bodies.pins {
+        let (Some((body, _)), Some(lengths)) = (pin.on, pin.apart) else { continue };
+        let (link, [a, b, long]) = (bodies.link(body).name, lengths.map(in_words));
+        if bars.iter().any(|bar| bar.link == *link) {
+            let message = format!("no point has the distances of `{}`; change them", pin.name);
+            let reason = format!("`{link}` is {long}, and the distances are {a} and {b}");
+            diagnostics.error_because(pin.name.span(), message, reason);
+            is_well = None;
+        }
     }
     is_well
 }

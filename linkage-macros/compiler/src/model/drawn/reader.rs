@@ -113,7 +113,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             for (name, _) in points {
                 let Some(at) = self.values.places.get(&name.to_string()).cloned() else { continue };
                 self.pin_of.insert(name.to_string(), self.pins.len());
-                self.pins.push(PinPlace { name: name.clone(), at, on: None });
+                self.pins.push(PinPlace { name: name.clone(), at, on: None, apart: None });
             }
         }
         for statement in &self.tree.statements {
@@ -126,7 +126,12 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             if on.as_ref().is_some_and(is_drawn) && !self.pin_of.contains_key(&name.to_string()) {
                 self.pin_of.insert(name.to_string(), self.pins.len());
                 let zero = self.values.pen.zero();
-                self.pins.push(PinPlace { name: name.clone(), at: [zero.clone(), zero], on: None });
+                self.pins.push(PinPlace {
+                    name: name.clone(),
+                    at: [zero.clone(), zero],
+                    on: None,
+                    apart: None,
+                });
             }
         }
     }

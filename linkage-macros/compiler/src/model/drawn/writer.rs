@@ -92,6 +92,8 @@ impl<'b, 't> Writer<'b, 't> {
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
         let (bars, joints) = (self.bars_between_pins(), self.joints());
+        let others: Vec<_> = self.bodies.other_statements().collect();
+        let placed: Vec<_> = others.iter().map(|(_, other)| self.by_coordinates(other)).collect();
         let Self {
             bodies,
             turns,
@@ -105,11 +107,12 @@ impl<'b, 't> Writer<'b, 't> {
             misplaced,
             ..
         } = self;
-        for (index, statement) in bodies.other_statements() {
+        for ((index, statement), placed) in others.into_iter().zip(&placed) {
             if is_point_of(&replaced, &statement.kind) {
                 continue;
             }
-            let statement = ends::renamed(&ends, turns.statement(bodies, statement));
+            let statement =
+                ends::renamed(&ends, turns.statement(bodies, placed.as_ref().unwrap_or(statement)));
             written.push(Written { behind: index, search: None, statement });
         }
         written.sort_by_key(|written| written.behind);
