@@ -341,46 +341,4 @@ fn quotient(above: f64, below: f64) -> Option<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::cut;
-    use super::super::machine::{Driven, Driving, RigidBody, Slide};
-    use super::*;
-
-    /// Two links that a drive holds together push a block on the ground: they turn against each other as the
-    /// drive says, and all joints stay closed.
-    #[test]
-    fn held_links_of_a_dyad_with_a_block_follow_their_drive() {
-        let body = |pins: &[usize]| RigidBody { pins: pins.to_vec(), ..RigidBody::default() };
-        let machine = Machine {
-            pins: [[0.0, 0.0], [0.4, 0.9], [1.7, 0.2]].map(|[x, y]| Complex::new(x, y)).into(),
-            bodies: vec![body(&[0]), body(&[0, 1]), body(&[1, 2]), body(&[2])],
-            slides: vec![Slide {
-                body: 3,
-                carrier: GROUND,
-                through: Complex::new(0.0, 0.2),
-                along: Complex::new(1.0, 0.0),
-            }],
-            drives: vec![Driving { kind: Driven::Angle, bodies: [2, 1], reads: Vec::new() }],
-            ..Machine::default()
-        };
-        let steps = cut(&machine).expect("it is a machine");
-        for change in [-0.2, 0.1, 0.3] {
-            let mut given = PoseChanges { drives: vec![change], ..PoseChanges::default() };
-            let mut posed = Posed::new(&machine);
-            posed.run(&steps, &mut given, 0.0).expect("it assembles");
-            let [first, second, block] =
-                [1, 2, 3].map(|body| posed.of[body].expect("it is placed"));
-            let at = |motion: Displaced, pin: usize| motion.of(machine.pins[pin]);
-            let off = [
-                (second.turn - first.turn * Complex::turned(change)).length(),
-                at(first, 0).length(),
-                (at(first, 1) - at(second, 1)).length(),
-                (at(second, 2) - at(block, 2)).length(),
-                (block.turn - Complex::new(1.0, 0.0)).length(),
-                (at(block, 2).y - 0.2).abs(),
-            ];
-            // A dozen roundings of lengths of two.
-            assert!(off.iter().all(|off| *off < 1e-14), "{change}: {off:?}");
-        }
-    }
-}
+mod tests;
