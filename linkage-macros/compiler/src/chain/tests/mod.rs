@@ -66,6 +66,17 @@ fn a_bar_beside_another_is_too_many_wherever_it_floats() {
     assert_eq!((&bodies[..], &drives[..], *freedoms), (&[2, 6][..], &[][..], 0));
 }
 
+/// A drive from one of two bars that hold one distance to the crank is none of what is too many between them.
+#[test]
+fn drives_beside_what_is_too_many_are_not_named() {
+    let mut machine = row(2);
+    machine.bodies.push(body(&[1, 3]));
+    machine.drives = vec![driving(2, 1)];
+    let told = cut(&machine).expect_err("two bars hold one distance");
+    let too_many = Trouble::TooMany { bodies: vec![2, 6], drives: Vec::new(), freedoms: 0 };
+    assert!(told.contains(&too_many), "{told:?}");
+}
+
 #[test]
 fn a_dyad_without_a_drive_moves_with_all_that_hangs_on_it() {
     let mut machine = row(3);
