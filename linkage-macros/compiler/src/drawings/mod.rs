@@ -12,6 +12,7 @@ mod declared_points;
 mod eight_bars;
 mod files;
 mod following;
+mod held_plates;
 mod hidden_names;
 pub(crate) mod lorry;
 mod machine;
