@@ -1,5 +1,6 @@
 //! Cuts of machines by their indices alone.
 
+mod resized;
 mod traces;
 
 use std::time::Instant;
