@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::super::following::band;
 use super::super::pose::Posed;
 use super::super::trace::{Trace, Way, closing, drawn};
 use super::*;
@@ -89,5 +90,32 @@ fn a_turn_closes_where_the_unknown_is_back() {
         ([0.0, 0.3], [-TAU, 0.3], None),
     ] {
         assert_eq!(closing(&crank, first, last), turns, "{first:?} to {last:?}");
+    }
+}
+
+/// A motion that goes from 151.5° behind the drawing to 180° before it and does not close: over nearly a turn sin x is
+/// zero at both ends, so that it is followed over 324° at most. The end farther from the drawing is given up, by whole
+/// steps of 3°, and so in its mirror image, where the crank goes the other way.
+#[test]
+fn the_farther_end_of_a_motion_of_nearly_a_turn_is_cut() {
+    let mut machine = drawn_at([[-1.77, 0.04], [1.14, 0.39], [1.13, 2.34], [0.34, 1.22]]);
+    machine.pins[1] = Complex::new(4.0, 0.0);
+    let mut mirrored = machine.clone();
+    mirrored.pins.iter_mut().for_each(|pin| *pin = pin.conjugate());
+    for (machine, whole, wanted) in
+        [(machine, [-151.5, 180.0], [-151.5, 171.0]), (mirrored, [-180.0, 151.5], [-171.0, 151.5])]
+    {
+        let (crank, all) = with_trends(&machine);
+        let [way] = &Way::all(&machine)[..] else { panic!("a crank alone drives it") };
+        let search = &all[2];
+        let trace = Trace::of(&machine, &crank, search, way);
+        let [.., last] = &trace.samples[..] else { panic!("it moves") };
+        let found = [trace.samples[0].drive, last.drive];
+        let stretch = band(&trace, search).expect("it is followed").stretch;
+        for (found, wanted) in found.into_iter().chain(stretch).zip([whole, wanted].concat()) {
+            // Multiples of a step, to roundings of a turn.
+            assert!((found.to_degrees() - wanted).abs() < 1e-9, "{found} in place of {wanted}");
+        }
+        assert!(trace.closes.is_none());
     }
 }
