@@ -9,6 +9,7 @@ mod as_drawn;
 mod chains_of_eight;
 mod declared_by_hand;
 mod declared_points;
+mod drawn_inputs;
 mod eight_bars;
 mod files;
 mod following;
