@@ -41,10 +41,26 @@ impl Machine {
         inputs: &[[f64; 3]],
         value: impl Fn(&N) -> f64,
     ) -> Answers {
+        self.answers_with(entry, inputs, &[], value)
+    }
+
+    /// The same in double precision at these parameters, where nothing moves.
+    pub(super) fn answers_at(&self, entry: &str, inputs: &[f64], params: &[f64]) -> Answers {
+        let at_rest: Vec<_> = inputs.iter().map(|&input| [input, 0.0, 0.0]).collect();
+        self.answers_with::<f64>(entry, &at_rest, params, |value| *value)
+    }
+
+    fn answers_with<N: Number>(
+        &self,
+        entry: &str,
+        inputs: &[[f64; 3]],
+        params: &[f64],
+        value: impl Fn(&N) -> f64,
+    ) -> Answers {
         let float = |value: f64| N::exact(&Exact::float(value).expect("finite"));
         let given = ProgramValues {
             inputs: inputs.iter().map(|input| input.map(float)).collect(),
-            params: Vec::new(),
+            params: params.iter().map(|&param| float(param)).collect(),
             loads: Vec::new(),
             drives: vec![float(0.0); inputs.len()],
             unit: None,

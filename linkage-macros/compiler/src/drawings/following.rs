@@ -57,6 +57,49 @@ fn a_crank_that_turns_fully_does_so_turn_after_turn() {
     }
 }
 
+/// A plate whose bars on the ground turn fully with the crank, as in a drag-link.
+const DRAG_LINK: &str = "input t: angle; ground A(-0.3, 0), D(0, 0), E(-0.1, 0.4); \
+                         pin B(-0.6, 1.9), P(-1.6, 1.5), Q(-2, 0.3), R(-1.6, -1.2); \
+                         link AB(A, B), BP(B, P), plate(P, Q, R), DQ(D, Q), ER(E, R); drive AB.angle = t;";
+
+/// With the distance of its ground pins as a parameter the same machine is not followed by what was found at one of its
+/// values: at another one it is solved as well, within its interval, with bars of the lengths that the parameter gives.
+#[test]
+fn a_machine_with_a_parameter_is_solved_beside_its_default() {
+    let statements =
+        DRAG_LINK.replace("ground A", "param w = 0.4m; ground A").replace("0.4)", "w)");
+    let machine = of(&statements);
+    let drawn = machine.mechanism.drawn.clone().expect("it is determined")[0];
+    // The unknown is the angle of BP from AB, in an interval with constant ends.
+    let docs = machine.docs();
+    assert!(docs.contains("angle: phi, relative_to: AB"), "{docs}");
+    let (_, ends) = docs.split_once("unknown phi: angle between (").expect("an interval");
+    let ends = ends.split_once(')').expect("two ends").0.split(", ");
+    let ends: Vec<f64> = ends.filter_map(|end| end.strip_suffix("deg")?.parse().ok()).collect();
+    for w in [0.3, 0.4, 0.5] {
+        let found = machine.answers_at("position", &[drawn], &[w]);
+        let place = |pin: &str| ["x", "y"].map(|axis| found.named(&format!("{pin}.{axis}")));
+        let apart = |[a, b]: [[f64; 2]; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let [b, p, q, r] = ["B", "P", "Q", "R"].map(place);
+        let vectors = [[b[0] + 0.3, b[1]], [p[0] - b[0], p[1] - b[1]]];
+        let [against, turned] = vectors.map(|[x, y]| y.atan2(x).to_degrees());
+        let unknown = (turned - against).rem_euclid(360.0);
+        assert!(ends[0] < unknown && unknown < ends[1], "{unknown} is beyond {ends:?} at {w}");
+        let lengths = [
+            (apart([b, [-0.6, 1.9]]), 0.0),
+            (apart([b, p]), 0.4_f64.hypot(1.0)),
+            (apart([p, q]), 1.2_f64.hypot(0.4)),
+            (apart([q, r]), 1.5_f64.hypot(0.4)),
+            (apart([p, r]), 2.7),
+            (apart([q, [0.0, 0.0]]), 0.3_f64.hypot(2.0)),
+            (apart([r, [-0.1, w]]), (w + 1.2).hypot(1.5)),
+        ];
+        for (length, wanted) in lengths {
+            assert!((length - wanted).abs() < CLOSED, "{length} in place of {wanted} at {w}");
+        }
+    }
+}
+
 /// True if the machine follows its drawing: all of the stretch that is documented is solved then.
 pub(super) fn all_of_the_stretch_is_solved(name: &str, machine: &Machine) -> bool {
     let follows = !machine.mechanism.unknowns.is_empty() && machine.docs().contains("_traced`");
