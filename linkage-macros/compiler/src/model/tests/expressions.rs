@@ -207,6 +207,12 @@ fn a_function_is_known_and_has_its_arguments() {
         ),
         (
             CRANK,
+            "crank EF(D) -> F { length: 1m, angle: pow(t, -65) }",
+            "-65: an exponent of -65, beyond ±64 / write `exp(-65 * ln(t))`",
+        ),
+        (CRANK, "crank EF(D) -> F { length: 1m, angle: pow(t, 64) + pow(t, -64) }", ""),
+        (
+            CRANK,
             "crank EF(D) -> F { length: pow(1m, 3), angle: t }",
             "pow(1m, 3): a volume where a length belongs / multiply or divide by what is missing",
         ),

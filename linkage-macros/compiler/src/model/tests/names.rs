@@ -313,6 +313,16 @@ fn an_order_that_works_is_told_or_the_circle() {
              only drivers and dyads are solved in closed form; drive the chain at another link, so \
              that each dyad stands on what is known",
         ),
+        // The circle is told where it begins, not at a name that another order would make first.
+        (
+            CRANK,
+            "rrr EG(E), DG(D) -> G { lengths: (3m, 3m), mode: left } \
+             rrr BC(B), CF(F) -> C { lengths: (3m, 3m), mode: left } \
+             rrr DF(D), EF(C) -> F { lengths: (3m, 2m), mode: left } point E on BC at (1m, 0);",
+            "F#1: `rrr BC, CF` and `rrr DF, EF` need each other: a group of class III or higher / \
+             only drivers and dyads are solved in closed form; drive the chain at another link, so \
+             that each dyad stands on what is known",
+        ),
     ]);
 }
 
