@@ -67,6 +67,22 @@ fn a_bar_beside_another_is_too_many_wherever_it_floats() {
     assert_eq!((&bodies[..], &drives[..], *freedoms), (&[2, 6][..], &[][..], 0));
 }
 
+/// Two cranks of which the first reads the angle of the second: that one is placed first.
+#[test]
+fn a_drive_stands_behind_the_links_that_it_reads() {
+    let mut machine = row(1);
+    machine.bodies.truncate(2);
+    machine.bodies.push(body(&[2, 3]));
+    let reading = Driving { reads: vec![2], ..driving(1, 0) };
+    machine.drives = vec![reading, driving(2, 0)];
+    let steps = cut(&machine).expect("it is a machine");
+    let placed = steps.iter().map(|step| match step {
+        Found::Crank { body, .. } => *body,
+        _ => panic!("{step:?}"),
+    });
+    assert_eq!(placed.collect::<Vec<_>>(), [2, 1]);
+}
+
 /// A drive from one of two bars that hold one distance to the crank is none of what is too many between them.
 #[test]
 fn drives_beside_what_is_too_many_are_not_named() {
