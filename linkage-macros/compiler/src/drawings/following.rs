@@ -124,6 +124,10 @@ fn a_stretch_is_one_of_whatever_drives() {
         assert!(machine.docs().contains("_traced`"), "{statements}");
         let ends = stretch(&machine);
         assert!(ends[0] < 0.0 && ends[1] > 0.0, "{ends:?}");
+        // A slide is told in metres.
+        let docs = machine.docs();
+        let told = docs.rsplit_once("goes from ").expect("it says how far").1;
+        assert_eq!(told.contains('°'), !statements.contains(".slide"), "{told}");
         let poses = along(&machine);
         let poses = match statements.contains("1.5rad") {
             // The stretch is one of the drive.

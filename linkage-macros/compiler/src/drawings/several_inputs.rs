@@ -71,6 +71,20 @@ fn a_group_is_followed_along_the_input_that_moves_it() {
     is_solved_along(&beside, 0, u, |_, _| {});
 }
 
+/// An input that drives nothing is none of those that the group is followed along, and changes nothing of its interval.
+#[test]
+fn an_input_that_drives_nothing_is_not_told() {
+    let crank =
+        "ground Z(-3, 0); pin Y(-3.4, 0.5); link ZY(Z, Y); drive ZY.angle = u; drive AB.angle = t;";
+    let beside = of(&format!("input u, t: angle; {TRIAD} {crank}")).docs();
+    let idle = of(&format!("input u, t, v: angle; {TRIAD} {crank} output twice = 2 * v;")).docs();
+    let told = |docs: &str| docs.split_once("goes from ").expect("it says how far").1.to_string();
+    assert_eq!(told(&beside), told(&idle));
+    let unknown =
+        |docs: &str| docs.split_once("unknown ").expect("an interval").1[..60].to_string();
+    assert_eq!(unknown(&beside), unknown(&idle));
+}
+
 /// A crank against the ground, and one that a gear turns against it.
 #[test]
 fn a_group_on_two_geared_cranks_is_followed() {
@@ -97,6 +111,9 @@ fn a_plate_on_three_cylinders_is_followed_along_each() {
          link plate(P, Q, R);",
     );
     assert_eq!(platform.mechanism.unknowns.len(), 1);
+    let docs = platform.docs();
+    let (_, told) = docs.split_once("`a` goes from ").expect("it says how far");
+    assert!(!told.contains('°'), "lengths are told in metres: {told}");
     let legs = [("P", [0.0, 0.0]), ("Q", [4.0, 0.0]), ("R", [2.0, 5.0])];
     for (index, input) in ["a", "b", "c"].into_iter().enumerate() {
         let ends = stretch(&platform, input);
