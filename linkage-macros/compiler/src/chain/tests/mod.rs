@@ -67,6 +67,23 @@ fn a_bar_beside_another_is_too_many_wherever_it_floats() {
     assert_eq!((&bodies[..], &drives[..], *freedoms), (&[2, 6][..], &[][..], 0));
 }
 
+/// A crank with a coupler and a ram: nine freedoms of three bodies, less two by each of three pins and a slide, are one. It
+/// is driven at the crank and at the ram.
+#[test]
+fn freedoms_without_drives_count_slides() {
+    let mut machine = Machine::default();
+    machine.pins.extend([[0.0, 0.0], [0.5, 0.9], [3.2, 0.4]].map(|[x, y]| Complex::new(x, y)));
+    let bodies: [&[usize]; 4] = [&[0], &[0, 1], &[1, 2], &[2]];
+    machine.bodies.extend(bodies.map(body));
+    let (through, along) = (machine.pins[2], Complex::new(1.0, 0.0));
+    machine.slides.push(Slide { body: 3, carrier: 0, through, along });
+    machine.drives.push(driving(1, 0));
+    machine.drives.push(Driving { kind: Driven::Slide(0), ..driving(3, 0) });
+    let told = cut(&machine).expect_err("one drive is enough");
+    let (bodies, drives) = (vec![0, 1, 2, 3], vec![0, 1]);
+    assert_eq!(told, [Trouble::TooMany { bodies, drives, freedoms: 1 }]);
+}
+
 /// Two cranks of which the first reads the angle of the second: that one is placed first.
 #[test]
 fn a_drive_stands_behind_the_links_that_it_reads() {
