@@ -42,6 +42,14 @@ impl Implicit {
         }
     }
 
+    /// The contacts whose friction is solved; none of a search.
+    pub(crate) fn contacts(&self) -> Option<&Contacts> {
+        match self {
+            Self::Root(_) => None,
+            Self::Amounts(contacts) => Some(contacts),
+        }
+    }
+
     /// True if a function of its own searches.
     pub(crate) fn is_search(&self) -> bool {
         matches!(self, Self::Root(_))
@@ -110,6 +118,12 @@ impl Implicit {
             Self::Amounts(contacts) if output == 0 => contacts.cost(),
             _ => Operations::default(),
         }
+    }
+}
+
+impl From<Contacts> for Implicit {
+    fn from(contacts: Contacts) -> Self {
+        Self::Amounts(contacts)
     }
 }
 

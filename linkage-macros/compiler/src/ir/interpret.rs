@@ -10,7 +10,6 @@ use crate::ir::graph::Graph;
 use crate::ir::graph::{Id, Node, RootSearch, Target};
 #[cfg(test)]
 use crate::ir::implicit::Contacts;
-use crate::ir::implicit::Implicit;
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
@@ -77,10 +76,13 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &ProgramValues<N>) 
         let value = match node {
             // Nodes that depend on a trial are computed inside the search.
             _ if tried[id.index()] => N::exact(&Exact::integer(0)),
-            Node::Solved(solve, output, on) => match graph.implicit(solve) {
-                Implicit::Root(_) if output > 0 => N::exact(&Exact::integer(1)),
-                Implicit::Root(sought) => root(program, given, &tried, &mut values, sought),
-                Implicit::Amounts(contacts) => {
+            Node::Solved(solve, output, on) => match graph.implicit(solve).contacts() {
+                None => match graph.search(id) {
+                    Some((_, sought)) => root(program, given, &tried, &mut values, &sought),
+                    // The size of a root.
+                    None => N::exact(&Exact::integer(1)),
+                },
+                Some(contacts) => {
                     // The numbers of one system follow each other, and are solved once.
                     if last.as_ref().is_none_or(|(known, _)| *known != solve) {
                         let operands = contacts.equations.iter().map(|id| &values[id.index()]);
@@ -105,13 +107,13 @@ pub(crate) fn interpret<N: Number>(program: &Program, given: &ProgramValues<N>) 
 pub(crate) fn jams<N: Number>(graph: &Graph, values: &[N]) -> Option<String> {
     graph.iter().find_map(|(_, node)| {
         let Node::Solved(solve, ..) = node else { return None };
-        let Implicit::Amounts(contacts) = graph.implicit(solve) else { return None };
+        let contacts = graph.implicit(solve).contacts()?;
         let operands: Vec<_> = contacts.equations.iter().map(|id| &values[id.index()]).collect();
         amounts::all(contacts, &operands).err().map(|at| contacts.joints[at].0.clone())
     })
 }
 
-/// Amounts of friction by their equations, given the values of the rows and where steps begin.
+/// The amounts of friction by their equations, given the values of the rows and where steps begin.
 #[cfg(test)]
 pub(crate) fn amounts<N: Number>(contacts: &Contacts, operands: &[&N]) -> Option<Vec<N>> {
     amounts::all(contacts, operands).ok()

@@ -27,7 +27,7 @@ pub(super) struct InC<'a> {
 pub(super) fn rubs(lowered: &Lowered<'_>) -> bool {
     let stages = lowered.routines.iter().flat_map(|routine| &routine.stages);
     stages.flat_map(|stage| &stage.statements).any(|statement| match statement {
-        Instruction::Solve(solving) => matches!(lowered.implicit(solving), Implicit::Amounts(_)),
+        Instruction::Solve(solving) => lowered.implicit(solving).contacts().is_some(),
         _ => false,
     })
 }

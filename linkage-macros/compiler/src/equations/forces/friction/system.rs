@@ -1,4 +1,4 @@
-//! Amounts of friction that depend on each other, as the solution of their equations.
+//! The amounts of friction that depend on each other, as the solution of their equations.
 //!
 //! ```text
 //! xⱼ = Φⱼ(x) = cⱼ ‖Gⱼ + Σₖ Aⱼₖ xₖ‖
@@ -11,7 +11,7 @@ use super::amount::Row;
 use super::straight::{self, Straight, straight};
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Node;
-use crate::ir::implicit::{Contacts, Implicit};
+use crate::ir::implicit::Contacts;
 
 /// The amounts, provided that friction does not hold itself.
 pub(super) fn solved<'s>(rows: &[Row<'s>]) -> Vec<Sym<'s>> {
@@ -32,7 +32,7 @@ pub(super) fn solved<'s>(rows: &[Row<'s>]) -> Vec<Sym<'s>> {
     }
     let builder = rows[0].share.builder();
     let contacts = Contacts { joints, equations, positive, small };
-    let solve = builder.implicit(Implicit::Amounts(contacts));
+    let solve = builder.implicit(contacts.into());
     let solved = found.iter().zip(0..);
     solved.map(|(on, at)| builder.node(Node::Solved(solve, at, Some(on.id)))).collect()
 }

@@ -1,7 +1,7 @@
 //! Equations of amounts of friction in a pose, in either precision, and what straight-line code has found.
 
 use crate::ir::graph::{Id, Node};
-use crate::ir::implicit::{Contacts, Implicit};
+use crate::ir::implicit::Contacts;
 use crate::ir::interpret::{Number, ProgramValues, amounts, interpret};
 use crate::ir::liveness::{Path, live};
 use crate::ir::program::Program;
@@ -60,7 +60,7 @@ impl<'p> Case<'p> {
         let live = live(graph, sinks, Path::Slow);
         for (id, node) in graph.iter().filter(|(id, _)| live[id.index()]) {
             let Node::Solved(solve, at, Some(value)) = node else { continue };
-            let Implicit::Amounts(contacts) = graph.implicit(solve) else { continue };
+            let Some(contacts) = graph.implicit(solve).contacts() else { continue };
             assert_eq!(at as usize, found.len(), "{id:?}: one group has friction");
             found.push(values[value.index()].widened());
             first.get_or_insert(contacts);
