@@ -19,6 +19,7 @@ pub(crate) mod lorry;
 mod machine;
 mod named_expressions;
 mod poses;
+mod random;
 mod scales;
 mod several_inputs;
 mod textbook;
