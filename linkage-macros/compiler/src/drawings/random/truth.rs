@@ -181,7 +181,8 @@ impl<'a> Truth<'a> {
         slopes
     }
 
-    fn opened(&self, inputs: &[Jet], coordinates: &[Jet], order: usize) -> Vec<f64> {
+    /// By how much the equations do not hold, or the rates of that.
+    pub(super) fn opened(&self, inputs: &[Jet], coordinates: &[Jet], order: usize) -> Vec<f64> {
         let moment = self.moment(inputs, coordinates);
         self.equations.iter().map(|&equation| moment.opened(equation).0[order]).collect()
     }
