@@ -53,12 +53,8 @@ pub(super) fn motion(truth: &Truth<'_>, pose: &Pose, off: &Off) -> Expected {
     let moment = truth.moment(&pose.inputs, &pose.coordinates);
     let words = ["", "velocity of ", "acceleration of "];
     let mut add = |row: String, jet: Jet| {
-        for order in 0..3 {
-            known.insert(
-                format!("{}{row}", words[order]),
-                (vec![jet.0[order]], off.of_order[order]),
-            );
-        }
+        let rows = words.iter().zip(jet.0).zip(off.of_order);
+        known.extend(rows.map(|((word, part), off)| (format!("{word}{row}"), (vec![part], off))));
     };
     for (pin, named) in drawing.pins.iter().enumerate() {
         for (part, jet) in ["x", "y"].into_iter().zip(moment.pin(pin)) {
@@ -89,84 +85,102 @@ pub(super) fn efforts(
     efforts: &Efforts,
     off: &Off,
 ) -> Expected {
-    let mut known = Expected::new();
-    let drawing = truth.drawing;
     let unit = off.of_order[0] * off.condition;
-    let off_force = efforts.magnified
-        * off.inverse
-        * (off.of_order[2] * efforts.mass.max(1.0) + unit * efforts.largest);
+    let by_masses = off.of_order[2] * efforts.mass.max(1.0);
+    let off_force = efforts.magnified * off.inverse * (by_masses + unit * efforts.largest);
+    let known = [
+        reactions(truth, efforts),
+        of_drives(truth, efforts),
+        of_statements(acting, efforts),
+        of_friction(truth, acting, efforts),
+    ];
+    known.into_iter().flatten().map(|(name, value)| (name, (vec![value], off_force))).collect()
+}
+
+type Named = Vec<(String, f64)>;
+
+fn reactions(truth: &Truth<'_>, efforts: &Efforts) -> Named {
+    let drawing = truth.drawing;
+    let all = || truth.equations.iter().zip(&efforts.multipliers);
     let others = |at: usize, besides: usize, along: usize| -> f64 {
         let is_other = |equation: &Equation| matches!(*equation, Equation::Pin { link, pin, axis } if (pin, axis) == (at, along) && link != besides);
-        let all = truth.equations.iter().zip(&efforts.multipliers);
-        all.filter(|(equation, _)| is_other(equation)).map(|(_, value)| value).sum()
+        all().filter(|(equation, _)| is_other(equation)).map(|(_, value)| value).sum()
     };
-    let mut add = |name: String, value: f64| known.insert(name, (vec![value], off_force));
-    for (equation, value) in truth.equations.iter().zip(&efforts.multipliers) {
+    let mut known = Named::new();
+    for (equation, value) in all() {
         match *equation {
-            Equation::Pin { link: link_index, pin: pin_index, axis } => {
-                let (link, pin) = (link_index, pin_index);
-                let [link, pin] = [&drawing.links[link].name, &drawing.pins[pin].name];
-                let name = format!("{link}.{pin}.{}", ["x", "y"][axis]);
-                add(format!("{name}{CARRIED}"), -others(pin_index, link_index, axis));
-                add(name, *value);
+            Equation::Pin { link, pin, axis } => {
+                let names = [&drawing.links[link].name, &drawing.pins[pin].name];
+                let name = format!("{}.{}.{}", names[0], names[1], ["x", "y"][axis]);
+                known.push((format!("{name}{CARRIED}"), -others(pin, link, axis)));
+                known.push((name, *value));
             }
-            Equation::Beside { link, guide, .. } => {
-                add(
-                    format!("{}.{}.normal", drawing.links[link].name, drawing.guides[guide].name),
-                    *value,
-                );
-            }
-            Equation::Parallel { link, guide, .. } => {
-                add(
-                    format!("{}.{}.couple", drawing.links[link].name, drawing.guides[guide].name),
-                    *value,
-                );
+            Equation::Beside { link, guide, .. } | Equation::Parallel { link, guide, .. } => {
+                let names = [&drawing.links[link].name, &drawing.guides[guide].name];
+                let is_force = matches!(equation, Equation::Beside { .. });
+                let part = if is_force { "normal" } else { "couple" };
+                known.push((format!("{}.{}.{part}", names[0], names[1]), *value));
             }
             Equation::Drive(drive) => {
                 if let Read::Angle(link) | Read::Slide(link) = drawing.drives[drive].driven {
-                    add(format!("{}.drive", drawing.links[link].name), *value);
+                    known.push((format!("{}.drive", drawing.links[link].name), *value));
                 }
             }
         }
     }
-    for (input, value) in drawing.inputs.iter().zip(&efforts.inputs) {
-        add(format!("{}.drive", input.name), *value);
-    }
-    for link in drawing.links.iter() {
-        let Some(length) = link.length else { continue };
+    known
+}
+
+fn of_drives(truth: &Truth<'_>, efforts: &Efforts) -> Named {
+    let drawing = truth.drawing;
+    let inputs = drawing.inputs.iter().zip(&efforts.inputs);
+    let mut known: Named =
+        inputs.map(|(input, value)| (format!("{}.drive", input.name), *value)).collect();
+    for link in &drawing.links {
+        let Some(length) = link.length.filter(|length| length.factor != 0.0) else { continue };
         let Read::Input(input) = length.of else { continue };
-        add(format!("{}.push", link.name), efforts.inputs[input] / length.factor);
+        known.push((format!("{}.push", link.name), efforts.inputs[input] / length.factor));
     }
+    known
+}
+
+fn of_statements(acting: &Acting, efforts: &Efforts) -> Named {
+    let mut known = vec![
+        ("losses".to_string(), efforts.losses),
+        ("kinetic energy".to_string(), efforts.energy[0]),
+        ("potential energy".to_string(), efforts.energy[1]),
+    ];
     for (nth, value) in efforts.springs.iter().enumerate() {
-        let kind =
-            if matches!(acting.springs[nth].ends, Ends::Pins(_)) { "force" } else { "torque" };
-        add(format!("spring{nth}.{kind}"), *value);
+        let is_force = matches!(acting.springs[nth].ends, Ends::Pins(_));
+        let kind = if is_force { "force" } else { "torque" };
+        known.push((format!("spring{nth}.{kind}"), *value));
     }
     for (nth, [value, gap]) in efforts.stops.iter().enumerate() {
-        add(format!("stop{nth}.force"), *value);
-        add(format!("stop{nth}.torque"), *value);
-        add(format!("stop{nth}.gap"), *gap);
+        known.push((format!("stop{nth}.force"), *value));
+        known.push((format!("stop{nth}.gap"), *gap));
     }
+    known
+}
+
+fn of_friction(truth: &Truth<'_>, acting: &Acting, efforts: &Efforts) -> Named {
+    let drawing = truth.drawing;
+    let mut known = Named::new();
     for (friction, value) in acting.frictions.iter().zip(&efforts.frictions) {
         match *friction {
             Friction::Pin { pin, .. } => {
                 for (link, sign) in truth.rubbing_links(pin).into_iter().zip([1.0, -1.0]) {
                     let Some(link) = link else { continue };
-                    add(
-                        format!("{}.{}.friction", drawing.links[link].name, drawing.pins[pin].name),
-                        sign * value,
-                    );
+                    let names = [&drawing.links[link].name, &drawing.pins[pin].name];
+                    known.push((format!("{}.{}.friction", names[0], names[1]), sign * value));
                 }
             }
             Friction::Guide { link, .. } => {
-                let guide = &drawing.guides[drawing.links[link].on[0]].name;
-                add(format!("{}.{guide}.friction", drawing.links[link].name), *value);
+                let of = &drawing.links[link];
+                let guide = &drawing.guides[of.on[0]].name;
+                known.push((format!("{}.{guide}.friction", of.name), *value));
             }
         }
     }
-    add("losses".to_string(), efforts.losses);
-    add("kinetic energy".to_string(), efforts.energy[0]);
-    add("potential energy".to_string(), efforts.energy[1]);
     known
 }
 

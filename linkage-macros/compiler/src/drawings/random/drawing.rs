@@ -64,7 +64,7 @@ pub(super) enum Read {
     Slide(usize),
 }
 
-/// A number times what it reads, and a constant beside it.
+/// A number times what it reads, and a constant beside it; of a length that nothing moves the number is zero.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Value {
     pub factor: f64,
@@ -183,15 +183,15 @@ impl Drawing {
     }
 
     fn drawn_input(&self, input: usize) -> f64 {
-        let reads = |value: &Value| value.of == Read::Input(input);
+        let reads = |value: &Value| value.of == Read::Input(input) && value.factor != 0.0;
         let of_drives = self.drives.iter().filter(|drive| reads(&drive.value));
         let mut found = of_drives.map(|drive| (drive.value, self.driven(drive)));
-        let of_lengths = self.links.iter().filter_map(|link| {
+        let mut of_lengths = self.links.iter().filter_map(|link| {
             let length = link.length.filter(reads)?;
             let [from, to] = [0, 1].map(|end| self.place(link.pins[end]));
             Some((length, (to[0] - from[0]).hypot(to[1] - from[1])))
         });
-        let (value, drawn) = found.next().or_else(|| of_lengths.last()).expect("it drives");
+        let (value, drawn) = found.next().or_else(|| of_lengths.next()).expect("it drives");
         (drawn - value.constant) / value.factor
     }
 

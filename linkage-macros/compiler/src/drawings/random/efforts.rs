@@ -1,16 +1,9 @@
 //! Efforts, reactions and friction by the multipliers of all equations at once.
 
-use super::acting::{Acting, Amount, Ends, Friction, Load, Mass, Spring, Stop, Stopped};
-use super::drawing::{Read, within_half_a_turn};
-use super::jet::{Jet, Vector, dot, minus};
-use super::truth::{Equation, Moment, Pose, Truth};
-
-/// A place where something acts: a point of a link, or a pin.
-#[derive(Clone, Copy, Debug)]
-enum Site {
-    OnLink(usize, [f64; 2]),
-    Pin(usize),
-}
+use super::acting::{Acting, Friction};
+use super::acting_sum::Sum;
+use super::jet::Jet;
+use super::truth::{Equation, Pose, Truth};
 
 /// What is exerted in a moment.
 #[derive(Clone, Debug)]
@@ -33,225 +26,12 @@ pub(super) struct Efforts {
     pub magnified: f64,
 }
 
-/// The sum of what acts along the coordinates, and the moment in which it does.
-struct Sum<'a> {
-    truth: &'a Truth<'a>,
-    moment: Moment<'a>,
-    along: Vec<f64>,
-}
-
-fn values(vector: Vector, order: usize) -> [f64; 2] {
-    vector.map(|part| part.0[order])
-}
-
-impl Sum<'_> {
-    fn place(&self, site: Site) -> Vector {
-        match site {
-            Site::OnLink(link, at) => self.moment.on_link(link, at.map(Jet::still)),
-            Site::Pin(pin) => self.moment.pin(pin),
-        }
-    }
-
-    fn couple(&mut self, link: Option<usize>, couple: f64) {
-        if let Some(link) = link {
-            self.along[3 * link + 2] += couple;
-        }
-    }
-
-    /// A force at a place of a link, wherever the place moves.
-    fn force_at(&mut self, link: usize, place: [f64; 2], [x, y]: [f64; 2]) {
-        let origin = values(self.moment.on_link(link, [Jet::still(0.0); 2]), 0);
-        let arm = [place[0] - origin[0], place[1] - origin[1]];
-        self.along[3 * link] += x;
-        self.along[3 * link + 1] += y;
-        self.couple(Some(link), arm[0] * y - arm[1] * x);
-    }
-
-    fn force(&mut self, site: Site, force: [f64; 2]) {
-        let place = values(self.place(site), 0);
-        let link = match site {
-            Site::OnLink(link, _) => link,
-            Site::Pin(pin) => {
-                if let Some(first) = self.truth.joint(pin) {
-                    self.along[first] += force[0];
-                    self.along[first + 1] += force[1];
-                    return;
-                }
-                // The ground takes what acts on it.
-                if self.truth.drawing.is_ground(pin) {
-                    return;
-                }
-                self.truth.drawing.bodies_at(pin)[0]
-            }
-        };
-        self.force_at(link, place, force);
-    }
-
-    /// Two points apart.
-    fn apart(&mut self, pins: [usize; 2], force: f64) {
-        let [from, to] = pins.map(|pin| values(self.moment.pin(pin), 0));
-        let way = [to[0] - from[0], to[1] - from[1]];
-        let size = way[0].hypot(way[1]);
-        let force = way.map(|part| force * part / size);
-        self.force(Site::Pin(pins[1]), force);
-        self.force(Site::Pin(pins[0]), force.map(|part| -part));
-    }
-
-    /// A block along its first guide, and the guide's body the other way.
-    fn along_slide(&mut self, link: usize, force: f64) {
-        let guide = self.truth.drawing.links[link].on[0];
-        let angle = self.moment.guide(guide).1.0[0];
-        let force = [force * angle.cos(), force * angle.sin()];
-        let at = values(self.moment.on_link(link, [Jet::still(0.0); 2]), 0);
-        self.force_at(link, at, force);
-        if let Some(carrier) = self.truth.drawing.guides[guide].of {
-            self.force_at(carrier, at, force.map(|part| -part));
-        }
-    }
-
-    fn amount(&self, amount: &Amount, loads: &[f64]) -> f64 {
-        let of_load = amount.of_load.map_or(0.0, |(factor, load)| factor * loads[load]);
-        let of_rate =
-            amount.of_rate.map_or(0.0, |(factor, read)| factor * self.moment.read(read).0[1]);
-        amount.constant + of_load + of_rate
-    }
-
-    fn load(&mut self, load: &Load, loads: &[f64]) {
-        match load {
-            Load::Force { pin, parts, axes } => {
-                let [x, y] = parts.each_ref().map(|part| self.amount(part, loads));
-                let (sin, cos) = axes.map_or(0.0, |link| self.moment.angle(link).0[0]).sin_cos();
-                self.force(Site::Pin(*pin), [x * cos - y * sin, x * sin + y * cos]);
-            }
-            Load::Between { pins, amount } => self.apart(*pins, self.amount(amount, loads)),
-            Load::Torque { link, amount } => self.couple(Some(*link), self.amount(amount, loads)),
-            Load::TorqueBetween { links: [from, to], amount } => {
-                let couple = self.amount(amount, loads);
-                self.couple(Some(*to), couple);
-                self.couple(Some(*from), -couple);
-            }
-        }
-    }
-
-    fn distance(&self, pins: [usize; 2]) -> [f64; 2] {
-        let [from, to] = pins.map(|pin| self.moment.pin(pin));
-        let way = minus(to, from);
-        let square = dot(way, way).0;
-        let distance = square[0].sqrt();
-        [distance, 0.5 * square[1] / distance]
-    }
-
-    /// The effort of a spring and its energy.
-    fn spring(&mut self, Spring { ends, stiffness, free, damping }: &Spring) -> [f64; 2] {
-        let [off, rate] = match ends {
-            Ends::Pins(pins) => {
-                let [distance, rate] = self.distance(*pins);
-                [distance - free, rate]
-            }
-            Ends::Links(links) => {
-                let angle = |link: &Option<usize>| {
-                    link.map_or(Jet::still(0.0), |link| self.moment.angle(link))
-                };
-                let turned = angle(&links[1]) - angle(&links[0]);
-                [within_half_a_turn(turned.0[0] - free), turned.0[1]]
-            }
-        };
-        let effort = -stiffness * off - damping * rate;
-        match ends {
-            Ends::Pins(pins) => self.apart(*pins, effort),
-            Ends::Links([from, to]) => {
-                self.couple(*to, effort);
-                self.couple(*from, -effort);
-            }
-        }
-        [effort, 0.5 * stiffness * off * off]
-    }
-
-    /// What a stop exerts, the way to its nearer end, and its energy.
-    fn stop(&mut self, Stop { of, between: [from, to], stiffness, damping }: &Stop) -> [f64; 3] {
-        let [at, rate] = match of {
-            Stopped::Angle(link) => {
-                let Jet([angle, rate, _]) = self.moment.angle(*link);
-                let middle = 0.5 * (from + to);
-                [middle + within_half_a_turn(angle - middle), rate]
-            }
-            Stopped::Slide(link) => {
-                let Jet([slide, rate, _]) = self.moment.read(Read::Slide(*link));
-                [slide, rate]
-            }
-            Stopped::Distance(pins) => self.distance(*pins),
-        };
-        let beyond = [from - at, at - to].map(|beyond| beyond.max(0.0));
-        let pushed = match beyond {
-            [low, _] if low > 0.0 => (stiffness * low - damping * rate).max(0.0),
-            [_, high] if high > 0.0 => -(stiffness * high + damping * rate).max(0.0),
-            _ => 0.0,
-        };
-        match of {
-            Stopped::Angle(link) => self.couple(Some(*link), pushed),
-            Stopped::Slide(link) => self.along_slide(*link, pushed),
-            Stopped::Distance(pins) => self.apart(*pins, pushed),
-        }
-        let energy = beyond.map(|beyond| 0.5 * stiffness * beyond * beyond).iter().sum();
-        [pushed, (at - from).min(to - at), energy]
-    }
-
-    /// The inertia and the weight of a mass; its mass, its kinetic and its potential energy.
-    fn mass(&mut self, mass: &Mass, gravity: [f64; 2]) -> [f64; 3] {
-        let drawing = self.truth.drawing;
-        let (site, mass, inertia, link) = match *mass {
-            Mass::OnLink { link, mass, at, inertia } => {
-                (Site::OnLink(link, at), mass, inertia, Some(link))
-            }
-            Mass::AtPin { link, mass, pin, inertia } => {
-                (Site::OnLink(link, self.truth.local(link, pin)), mass, inertia, Some(link))
-            }
-            Mass::Uniform { link, mass } => {
-                let [from, to] =
-                    [0, 1].map(|end| self.truth.local(link, drawing.links[link].pins[end]));
-                let way = [to[0] - from[0], to[1] - from[1]];
-                let middle = [0, 1].map(|axis| 0.5 * (from[axis] + to[axis]));
-                let inertia = mass * (way[0] * way[0] + way[1] * way[1]) / 12.0;
-                (Site::OnLink(link, middle), mass, inertia, Some(link))
-            }
-            Mass::Inertia { link, inertia } => {
-                (Site::OnLink(link, [0.0; 2]), 0.0, inertia, Some(link))
-            }
-            Mass::OnPin { pin, mass } => (Site::Pin(pin), mass, 0.0, None),
-        };
-        let place = self.place(site);
-        let [at, rate, second] = [0, 1, 2].map(|order| values(place, order));
-        self.force(site, [0, 1].map(|axis| mass * (gravity[axis] - second[axis])));
-        let Jet([_, omega, alpha]) = link.map_or(Jet::still(0.0), |link| self.moment.angle(link));
-        self.couple(link, -inertia * alpha);
-        let kinetic = mass * (rate[0] * rate[0] + rate[1] * rate[1]) + inertia * omega * omega;
-        [mass, 0.5 * kinetic, -mass * (gravity[0] * at[0] + gravity[1] * at[1])]
-    }
-
-    /// What a friction of this size exerts against the slip, by its slip.
-    fn rubbing(&mut self, friction: &Friction, size: f64) {
-        match *friction {
-            Friction::Pin { pin, .. } => {
-                let links = self.truth.rubbing_links(pin);
-                self.couple(links[0], size);
-                self.couple(links[1], -size);
-            }
-            Friction::Guide { link, .. } => self.along_slide(link, size),
-        }
-    }
-
-    fn slip(&self, friction: &Friction) -> f64 {
-        match *friction {
-            Friction::Pin { pin, .. } => {
-                let [a, b] = self
-                    .truth
-                    .rubbing_links(pin)
-                    .map(|link| link.map_or(0.0, |link| self.moment.angle(link).0[1]));
-                a - b
-            }
-            Friction::Guide { link, .. } => self.moment.read(Read::Slide(link)).0[1],
-        }
-    }
+/// What rubs, and all multipliers with it.
+struct Rubbed {
+    frictions: Vec<f64>,
+    multipliers: Vec<f64>,
+    /// The largest part of a change of friction that friction makes of it.
+    share: f64,
 }
 
 impl Truth<'_> {
@@ -295,63 +75,17 @@ impl Truth<'_> {
     /// All efforts in a moment; `None` where friction may hold itself, or something slips too slowly to say which way.
     pub(super) fn efforts(&self, acting: &Acting, pose: &Pose, loads: &[f64]) -> Option<Efforts> {
         let moment = self.moment(&pose.inputs, &pose.coordinates);
-        let along = vec![0.0; pose.jacobian.count];
-        let mut sum = Sum { truth: self, moment, along };
+        let mut sum = Sum { truth: self, moment, along: vec![0.0; pose.jacobian.count] };
         let masses: Vec<_> =
             acting.masses.iter().map(|mass| sum.mass(mass, acting.gravity)).collect();
         acting.forces.iter().for_each(|load| sum.load(load, loads));
         let springs: Vec<_> = acting.springs.iter().map(|spring| sum.spring(spring)).collect();
         let stops: Vec<_> = acting.stops.iter().map(|stop| sum.stop(stop)).collect();
-        let solved = |along: &[f64]| -> Vec<f64> {
-            pose.inverse.transposed_times(along).into_iter().map(|part| -part).collect()
-        };
         let slips: Vec<_> = acting.frictions.iter().map(|friction| sum.slip(friction)).collect();
-        if slips.iter().any(|slip| slip.abs() < 1e-3) {
-            return None;
-        }
-        let frictionless = sum.along.clone();
-        let mut frictions = vec![0.0; slips.len()];
-        let (mut multipliers, mut last, mut share) = (solved(&sum.along), f64::MAX, 0.0);
-        for _ in 0..300 {
-            let now: Vec<f64> = (acting.frictions.iter().zip(&slips))
-                .map(|(friction, slip)| -slip.signum() * self.pressed(friction, &multipliers))
-                .collect();
-            let change = now
-                .iter()
-                .zip(&frictions)
-                .map(|(a, b): (&f64, &f64)| (a - b).abs())
-                .fold(0.0, f64::max);
-            frictions = now;
-            sum.along.clone_from(&frictionless);
-            for (friction, size) in acting.frictions.iter().zip(&frictions) {
-                sum.rubbing(friction, *size);
-            }
-            multipliers = solved(&sum.along);
-            if change > 1e-9 {
-                share = if last == f64::MAX { share } else { change / last };
-            }
-            last = change;
-        }
-        if share > 0.7 || last > 1e-9 {
-            return None;
-        }
-        let inputs = (0..pose.inputs.len()).map(|input| {
-            let still: Vec<_> =
-                (pose.coordinates.iter()).map(|part| Jet::still(part.0[0])).collect();
-            let mut moving: Vec<_> =
-                pose.inputs.iter().map(|input| Jet::still(input.0[0])).collect();
-            moving[input].0[1] = 1.0;
-            let slopes = self.opened(&moving, &still, 1);
-            let motion: Vec<_> =
-                pose.inverse.times(&slopes).into_iter().map(|part| -part).collect();
-            pose.jacobian
-                .times(&motion)
-                .iter()
-                .zip(&multipliers)
-                .map(|(rate, force)| rate * force)
-                .sum()
-        });
-        let inputs: Vec<f64> = inputs.collect();
+        let Rubbed { frictions, multipliers, share } =
+            self.rubbed(acting, pose, &mut sum, &slips)?;
+        let inputs: Vec<_> =
+            (0..pose.inputs.len()).map(|input| self.effort(pose, &multipliers, input)).collect();
         let largest = multipliers.iter().chain(&sum.along).chain(&inputs);
         let largest = largest.fold(1.0_f64, |largest, part| largest.max(part.abs()));
         let total = |part: usize| masses.iter().map(|mass| mass[part]).sum::<f64>();
@@ -369,5 +103,58 @@ impl Truth<'_> {
             magnified: 1.0 / (1.0 - share),
             multipliers,
         })
+    }
+
+    /// The frictions and the multipliers that make each other, by repeated substitution.
+    fn rubbed(
+        &self,
+        acting: &Acting,
+        pose: &Pose,
+        sum: &mut Sum<'_>,
+        slips: &[f64],
+    ) -> Option<Rubbed> {
+        // Below this a slip's sign may be rounding.
+        const SLOWEST: f64 = 1e-3;
+        if slips.iter().any(|slip| slip.abs() < SLOWEST) {
+            return None;
+        }
+        let frictionless = sum.along.clone();
+        let solved = |along: &[f64]| -> Vec<f64> {
+            pose.inverse.transposed_times(along).into_iter().map(|part| -part).collect()
+        };
+        let (mut multipliers, mut frictions) = (solved(&sum.along), vec![0.0; slips.len()]);
+        let (mut last, mut share) = (f64::MAX, 0.0_f64);
+        // A share of 0.7 is below the rounding of forces of some hundred newtons after these.
+        for _ in 0..120 {
+            let now: Vec<f64> = (acting.frictions.iter().zip(slips))
+                .map(|(friction, slip)| -slip.signum() * self.pressed(friction, &multipliers))
+                .collect();
+            let changes = now.iter().zip(&frictions).map(|(a, b)| (a - b).abs());
+            let change = changes.fold(0.0, f64::max);
+            frictions = now;
+            sum.along.clone_from(&frictionless);
+            for (friction, size) in acting.frictions.iter().zip(&frictions) {
+                sum.rubbing(friction, *size);
+            }
+            multipliers = solved(&sum.along);
+            if change < 1e-12 {
+                break;
+            }
+            // The first substitution has no friction before it.
+            if change > 1e-9 && last < f64::MAX {
+                share = share.max(change / last);
+            }
+            last = change;
+        }
+        (share < 0.7).then_some(Rubbed { frictions, multipliers, share })
+    }
+
+    /// The effort of an input: the power of all multipliers while it alone moves, at one unit a second.
+    fn effort(&self, pose: &Pose, multipliers: &[f64], input: usize) -> f64 {
+        let still = |all: &[Jet]| all.iter().map(|part| Jet::still(part.0[0])).collect::<Vec<_>>();
+        let (mut inputs, coordinates) = (still(&pose.inputs), still(&pose.coordinates));
+        inputs[input].0[1] = 1.0;
+        let slopes = self.opened(&inputs, &coordinates, 1);
+        -slopes.iter().zip(multipliers).map(|(slope, multiplier)| slope * multiplier).sum::<f64>()
     }
 }

@@ -78,7 +78,7 @@ pub(super) fn between(random: &mut Random, [from, to]: [f64; 2]) -> f64 {
 }
 
 /// Tenths of millimetres.
-fn rounded(at: [f64; 2]) -> [f64; 2] {
+pub(super) fn rounded(at: [f64; 2]) -> [f64; 2] {
     at.map(|part| (part * 1e4).round() / 1e4)
 }
 
@@ -99,25 +99,7 @@ impl Growth {
 }
 
 impl Drawing {
-    fn add(&mut self, random: &mut Random, part: Part) -> Option<()> {
-        match part {
-            Part::Crank => self.add_crank(random),
-            Part::CrankOnLink => self.add_crank_on_link(random),
-            Part::SlideDrive => self.add_slide_drive(random),
-            Part::Bars => self.add_bars(random).map(|_| ()),
-            Part::BarAndBlock => self.add_bar_and_block(random),
-            Part::BlockOnBar => self.add_block_on_bar(random),
-            Part::TwoBlocks => self.add_two_blocks(random),
-            Part::Yoke => self.add_yoke(random),
-            Part::Hub => self.add_hub(random),
-            Part::Cylinder => self.add_cylinder(random),
-            Part::Gear => self.add_gear(random),
-            Part::Held => self.add_held(random),
-            Part::Triad => self.add_triad(random),
-        }
-    }
-
-    fn named_pin(&mut self, place: Place) -> usize {
+    pub(super) fn named_pin(&mut self, place: Place) -> usize {
         let letter = match place {
             Place::Ground(_) => 'G',
             Place::Drawn(..) => 'P',
@@ -128,7 +110,7 @@ impl Drawing {
     }
 
     /// A pin somewhere about a place; one of six by a parameter.
-    fn pin_about(&mut self, random: &mut Random, [x, y]: [f64; 2]) -> usize {
+    pub(super) fn pin_about(&mut self, random: &mut Random, [x, y]: [f64; 2]) -> usize {
         let (size, angle) = (between(random, [0.12, 0.5]), between(random, [-3.2, 3.2]));
         let [x, y] = rounded([x + size * angle.cos(), y + size * angle.sin()]);
         if random.below(8) > 0 || self.params.len() > 1 {
@@ -140,12 +122,12 @@ impl Drawing {
         self.named_pin(Place::Drawn([x, y], Some(self.params.len() - 1)))
     }
 
-    fn ground_pin(&mut self, random: &mut Random) -> usize {
+    pub(super) fn ground_pin(&mut self, random: &mut Random) -> usize {
         let at = rounded([(); 2].map(|()| between(random, [-0.7, 0.7])));
         self.named_pin(Place::Ground(at))
     }
 
-    fn link(&mut self, random: &mut Random, pins: &[usize], on: &[usize]) -> usize {
+    pub(super) fn link(&mut self, random: &mut Random, pins: &[usize], on: &[usize]) -> usize {
         let mut pins = pins.to_vec();
         shuffled(random, &mut pins);
         let name = format!("L{}", self.links.len());
@@ -154,7 +136,7 @@ impl Drawing {
     }
 
     /// A bar between two pins, with a point of its own now and then.
-    fn bar(&mut self, random: &mut Random, from: usize, to: usize) -> usize {
+    pub(super) fn bar(&mut self, random: &mut Random, from: usize, to: usize) -> usize {
         let mut pins = vec![from, to];
         if random.below(4) == 0 {
             pins.push(self.pin_about(random, self.place(to)));
@@ -169,7 +151,7 @@ impl Drawing {
     }
 
     /// A joint on something that moves: a pin that is there, another one on a link, or a declared point.
-    fn moving_pin(&mut self, random: &mut Random) -> Option<usize> {
+    pub(super) fn moving_pin(&mut self, random: &mut Random) -> Option<usize> {
         let link = self.moving_link(random)?;
         if random.below(3) > 0 {
             let there = |pin: &usize| !self.is_ground(*pin);
@@ -188,7 +170,7 @@ impl Drawing {
         Some(pin)
     }
 
-    fn foot(&mut self, random: &mut Random) -> Option<usize> {
+    pub(super) fn foot(&mut self, random: &mut Random) -> Option<usize> {
         match random.below(5) {
             0 | 1 => Some(self.ground_pin(random)),
             _ => self.moving_pin(random),
@@ -196,7 +178,7 @@ impl Drawing {
     }
 
     /// Two joints on different bodies, at least one of which moves.
-    fn feet(&mut self, random: &mut Random) -> Option<[usize; 2]> {
+    pub(super) fn feet(&mut self, random: &mut Random) -> Option<[usize; 2]> {
         let mut feet = [self.moving_pin(random)?, self.foot(random)?];
         shuffled(random, &mut feet);
         self.are_apart(&feet).then_some(feet)
@@ -210,7 +192,7 @@ impl Drawing {
             && (0..self.links.len()).all(|link| holds(link) < 2)
     }
 
-    fn rail(&mut self, random: &mut Random, may_move: bool) -> Option<usize> {
+    pub(super) fn rail(&mut self, random: &mut Random, may_move: bool) -> Option<usize> {
         if !self.guides.is_empty() && random.below(4) == 0 {
             let guide = random.below(self.guides.len());
             return (may_move || self.guides[guide].of.is_none()).then_some(guide);
@@ -232,14 +214,14 @@ impl Drawing {
         Some(self.guide_of(of, through, along))
     }
 
-    fn guide_of(&mut self, of: Option<usize>, through: Through, along: Along) -> usize {
+    pub(super) fn guide_of(&mut self, of: Option<usize>, through: Through, along: Along) -> usize {
         let name = format!("g{}", self.guides.len());
         self.guides.push(Guide { name, of, through, along });
         self.guides.len() - 1
     }
 
     /// A block with a joint on a guide.
-    fn block(&mut self, random: &mut Random, pin: usize, guide: usize) -> usize {
+    pub(super) fn block(&mut self, random: &mut Random, pin: usize, guide: usize) -> usize {
         let mut pins = vec![pin];
         if random.below(3) == 0 {
             pins.push(self.pin_about(random, self.place(pin)));
@@ -247,187 +229,16 @@ impl Drawing {
         self.link(random, &pins, &[guide])
     }
 
-    fn input(&mut self, is_angle: bool) -> usize {
+    pub(super) fn input(&mut self, is_angle: bool) -> usize {
         self.inputs.push(Input { name: format!("q{}", self.inputs.len()), is_angle });
         self.inputs.len() - 1
     }
 
-    fn add_drive(&mut self, random: &mut Random, driven: Read, against: Option<usize>) {
+    pub(super) fn add_drive(&mut self, random: &mut Random, driven: Read, against: Option<usize>) {
         let input = self.input(matches!(driven, Read::Angle(_)));
         let factor = [1.0, 1.0, 1.0, -1.0, 2.0, 0.5][random.below(6)];
         let constant = [0.0, 0.0, 0.125, -0.3][random.below(4)];
         let value = Value { factor, of: Read::Input(input), constant };
         self.drives.push(Drive { driven, against, value });
-    }
-
-    fn add_crank(&mut self, random: &mut Random) -> Option<()> {
-        let pivot = self.ground_pin(random);
-        let end = self.pin_about(random, self.place(pivot));
-        let link = self.bar(random, pivot, end);
-        self.add_drive(random, Read::Angle(link), None);
-        Some(())
-    }
-
-    fn add_crank_on_link(&mut self, random: &mut Random) -> Option<()> {
-        let pivot = self.moving_pin(random)?;
-        let bodies = self.bodies_at(pivot);
-        let against = (random.below(3) > 0).then(|| bodies[random.below(bodies.len())]);
-        let end = self.pin_about(random, self.place(pivot));
-        let link = self.bar(random, pivot, end);
-        self.add_drive(random, Read::Angle(link), against);
-        Some(())
-    }
-
-    fn add_slide_drive(&mut self, random: &mut Random) -> Option<()> {
-        let guide = self.rail(random, true)?;
-        let pin = self.pin_about(random, self.guide(guide).at);
-        let link = self.block(random, pin, guide);
-        self.add_drive(random, Read::Slide(link), None);
-        Some(())
-    }
-
-    fn add_bars(&mut self, random: &mut Random) -> Option<[usize; 2]> {
-        let [from, to] = self.feet(random)?;
-        let middle = [0, 1].map(|axis| 0.5 * (self.place(from)[axis] + self.place(to)[axis]));
-        let pin = self.pin_about(random, middle);
-        Some([from, to].map(|foot| self.bar(random, foot, pin)))
-    }
-
-    fn add_bar_and_block(&mut self, random: &mut Random) -> Option<()> {
-        let foot = self.moving_pin(random)?;
-        let guide = self.rail(random, true)?;
-        if self.guides[guide].of.is_some_and(|link| self.bodies_at(foot).contains(&link)) {
-            return None;
-        }
-        let pin = self.pin_about(random, self.place(foot));
-        self.bar(random, foot, pin);
-        self.block(random, pin, guide);
-        Some(())
-    }
-
-    fn add_block_on_bar(&mut self, random: &mut Random) -> Option<()> {
-        let [foot, pin] = self.feet(random)?;
-        let end = self.pin_about(random, self.place(foot));
-        let bar = self.link(random, &[foot, end], &[]);
-        let at = rounded([(); 2].map(|()| between(random, [-0.1, 0.1])));
-        let degrees = between(random, [-30.0, 30.0]).round();
-        let guide = match random.below(2) {
-            0 => self.guide_of(Some(bar), Through::Pin(foot), Along::Towards(end)),
-            _ => self.guide_of(Some(bar), Through::At(at), Along::Degrees(degrees)),
-        };
-        self.block(random, pin, guide);
-        Some(())
-    }
-
-    fn add_two_blocks(&mut self, random: &mut Random) -> Option<()> {
-        let guides = [self.rail(random, true)?, self.rail(random, true)?];
-        let [one, other] = guides.map(|guide| self.guides[guide].of);
-        if one == other {
-            return None;
-        }
-        let pin = self.pin_about(random, self.guide(guides[0]).at);
-        for guide in guides {
-            self.block(random, pin, guide);
-        }
-        Some(())
-    }
-
-    fn add_yoke(&mut self, random: &mut Random) -> Option<()> {
-        let pin = self.moving_pin(random)?;
-        let rail = self.rail(random, true)?;
-        if self.guides[rail].of.is_some_and(|link| self.bodies_at(pin).contains(&link)) {
-            return None;
-        }
-        let yoke = match random.below(3) {
-            0 => self.link(random, &[], &[rail]),
-            _ => {
-                let end = self.pin_about(random, self.guide(rail).at);
-                self.block(random, end, rail)
-            }
-        };
-        let at = rounded([(); 2].map(|()| between(random, [-0.2, 0.2])));
-        let degrees = between(random, [-180.0, 180.0]).round();
-        let slot = self.guide_of(Some(yoke), Through::At(at), Along::Degrees(degrees));
-        self.block(random, pin, slot);
-        Some(())
-    }
-
-    /// A link that slides on two others, of which one turns about a joint.
-    fn add_hub(&mut self, random: &mut Random) -> Option<()> {
-        let foot = self.foot(random)?;
-        let rail = self.rail(random, true)?;
-        let carrier = self.guides[rail].of;
-        if carrier.map_or(self.is_ground(foot), |link| self.bodies_at(foot).contains(&link)) {
-            return None;
-        }
-        let end = self.pin_about(random, self.place(foot));
-        let hub = self.link(random, &[foot, end], &[]);
-        let degrees = between(random, [-180.0, 180.0]).round();
-        let guide = self.guide_of(Some(hub), Through::Pin(foot), Along::Degrees(degrees));
-        let at = self.pin_about(random, self.place(foot));
-        self.link(random, &[at], &[rail, guide]);
-        Some(())
-    }
-
-    fn add_cylinder(&mut self, random: &mut Random) -> Option<()> {
-        let feet = match self.links.is_empty() {
-            true => [self.ground_pin(random), self.ground_pin(random)],
-            false => self.feet(random)?,
-        };
-        let pin = self.pin_about(random, self.place(feet[1]));
-        let cylinder = self.link(random, &[feet[0], pin], &[]);
-        self.bar(random, feet[1], pin);
-        let of = Read::Input(self.input(false));
-        self.links[cylinder].length = Some(Value { factor: 1.0, of, constant: 0.0 });
-        Some(())
-    }
-
-    /// A link on a ground pin that turns as a multiple of another one.
-    fn add_gear(&mut self, random: &mut Random) -> Option<()> {
-        let of = random.below(self.links.len());
-        let pivot = self.ground_pin(random);
-        let end = self.pin_about(random, self.place(pivot));
-        let gear = self.bar(random, pivot, end);
-        let factor = [-1.0, -2.0, 1.0, 2.0, -3.0][random.below(5)];
-        let constant = self.drawn(Read::Angle(gear)) - factor * self.drawn(Read::Angle(of));
-        let value = Value { factor, of: Read::Angle(of), constant };
-        self.drives.push(Drive { driven: Read::Angle(gear), against: None, value });
-        Some(())
-    }
-
-    /// Three bars in a row, two of them driven against each other.
-    fn add_held(&mut self, random: &mut Random) -> Option<()> {
-        let [from, to] = self.feet(random)?;
-        let first = self.pin_about(random, self.place(from));
-        let second = self.pin_about(random, self.place(to));
-        let bars = [(from, first), (first, second), (second, to)]
-            .map(|(from, to)| self.bar(random, from, to));
-        let at = random.below(2);
-        let mut pair = [bars[at], bars[at + 1]];
-        shuffled(random, &mut pair);
-        self.add_drive(random, Read::Angle(pair[0]), Some(pair[1]));
-        Some(())
-    }
-
-    /// A plate on three bars.
-    fn add_triad(&mut self, random: &mut Random) -> Option<()> {
-        let feet = [self.moving_pin(random)?, self.foot(random)?, self.foot(random)?];
-        let holds =
-            |link: usize| feet.iter().filter(|&&pin| self.bodies_at(pin).contains(&link)).count();
-        let grounds = feet.iter().filter(|&&pin| self.is_ground(pin)).count();
-        if grounds > 2
-            || (0..self.links.len()).any(|link| holds(link) > 2)
-            || feet[0] == feet[1]
-            || feet[1] == feet[2]
-            || feet[0] == feet[2]
-        {
-            return None;
-        }
-        let pins = feet.map(|foot| self.pin_about(random, self.place(foot)));
-        for (foot, pin) in feet.into_iter().zip(pins) {
-            self.link(random, &[foot, pin], &[]);
-        }
-        self.link(random, &pins, &[]);
-        Some(())
     }
 }

@@ -217,6 +217,15 @@ impl Drawing {
         for link in 0..self.links.len() {
             acting.masses.extend(self.mass_on(random, link));
         }
+        // Gravity without a mass is a mistake.
+        acting.masses.push(Mass::Inertia { link: 0, inertia: number(random, [0.001, 0.08]) });
+        let at = [0.05, -0.02];
+        acting.masses.push(Mass::OnLink {
+            link: self.links.len() - 1,
+            mass: 0.5,
+            at,
+            inertia: 0.01,
+        });
         for _ in 0..random.below(3) {
             let pin = self.any_pin(random);
             if !self.is_ground(pin) {

@@ -39,17 +39,32 @@ impl Matrix {
         (0..self.count).map(sum).fold(0.0, f64::max)
     }
 
-    /// The inverse by Gauss and Jordan with the largest pivot of each column, and the sign of the determinant.
+    /// The inverse, and whether the determinant is positive.
     pub(super) fn inverse(&self) -> Option<(Self, bool)> {
         let count = self.count;
-        let width = 2 * count;
-        let mut rows: Vec<Vec<f64>> = (0..count)
-            .map(|row| {
-                let mut all = vec![0.0; width];
-                all[..count].copy_from_slice(self.row(row));
-                all[count + row] = 1.0;
-                all
-            })
+        let unit = |row: usize| {
+            let mut unit = vec![0.0; count];
+            unit[row] = 1.0;
+            unit
+        };
+        let (rows, is_positive) = self.reduced((0..count).map(unit).collect())?;
+        Some((Self { count, parts: rows.concat() }, is_positive))
+    }
+
+    /// The vector that the matrix takes to another one.
+    pub(super) fn solved(&self, right: &[f64]) -> Option<Vec<f64>> {
+        let (rows, _) = self.reduced(right.iter().map(|&part| vec![part]).collect())?;
+        Some(rows.concat())
+    }
+
+    /// The right sides after the elimination by Gauss and Jordan with the largest pivot of each column, and whether the
+    /// determinant is positive.
+    fn reduced(&self, right: Vec<Vec<f64>>) -> Option<(Vec<Vec<f64>>, bool)> {
+        let count = self.count;
+        let mut rows: Vec<Vec<f64>> = right
+            .into_iter()
+            .enumerate()
+            .map(|(row, right)| [self.row(row), &right].concat())
             .collect();
         let mut is_positive = true;
         for column in 0..count {
@@ -64,7 +79,7 @@ impl Matrix {
             let by = 1.0 / rows[column][column];
             rows[column].iter_mut().for_each(|part| *part *= by);
             let pivot_row = std::mem::take(&mut rows[column]);
-            // Rows and columns are sparse at first.
+            // Rows are sparse at first; that of the pivot is away.
             for row in rows.iter_mut().filter(|row| !row.is_empty() && row[column] != 0.0) {
                 let by = row[column];
                 for (part, of_pivot) in row[column..].iter_mut().zip(&pivot_row[column..]) {
@@ -73,7 +88,7 @@ impl Matrix {
             }
             rows[column] = pivot_row;
         }
-        let parts = rows.iter().flat_map(|row| row[count..].iter().copied()).collect();
-        Some((Self { count, parts }, is_positive))
+        let right = rows.into_iter().map(|mut row| row.split_off(count)).collect();
+        Some((right, is_positive))
     }
 }

@@ -5,17 +5,19 @@ use std::collections::BTreeMap;
 
 use super::super::machine::{Machine, machine};
 use super::super::variants::Random;
-use super::acting::{Acting, Ends};
+use super::acting::{Acting, Ends, Stopped};
 use super::comparing::{self, Off};
 use super::compiled;
 use super::drawing::{Drawing, Place, Read, Value};
-use super::growing::{self, DRAWN_CONDITION, Part, between};
+use super::growing::{self, DRAWN_CONDITION, Growth, Part, between};
 use super::truth::Truth;
 use super::walking::{self, Reach, free_reach};
 
 /// What became of many machines.
 #[derive(Debug, Default)]
 pub(super) struct Outcomes {
+    /// The last one taken.
+    seed: u64,
     pub compiled: usize,
     pub searched: usize,
     pub poses: usize,
@@ -24,6 +26,7 @@ pub(super) struct Outcomes {
     pub moved: usize,
     pub with_other_params: usize,
     pub driven_elsewhere: usize,
+    pub searched_elsewhere: usize,
     /// Machines without the frictions that they had at first.
     pub without_friction: usize,
     pub links: [usize; 16],
@@ -33,6 +36,15 @@ pub(super) struct Outcomes {
     /// Refusals of what is driven at another link.
     pub refused_elsewhere: BTreeMap<String, usize>,
     pub wrong: Vec<String>,
+}
+
+/// How much is taken of each machine.
+#[derive(Clone, Copy)]
+pub(super) struct Sample {
+    pub poses: usize,
+    pub most_links: usize,
+    /// Whether other parameters, moved pins and another drive are tried.
+    pub twins: [bool; 3],
 }
 
 /// A drawing with all that acts, compiled.
@@ -158,6 +170,12 @@ impl Outcomes {
             let asked = if is_asked { asked(&acting, has_losses) } else { String::new() };
             let source = format!("pub struct M {{\n{statements}\n{forces}\n{asked}\n}}");
             match machine(&source) {
+                // The link that a search turns counts whole turns: left out, for a stop or a spring on its angle may
+                // be off by one in the drawing itself.
+                Ok(machine) if !machine.mechanism.unknowns.is_empty() && acting.turns() => {
+                    acting.springs.retain(|spring| matches!(spring.ends, Ends::Pins(_)));
+                    acting.stops.retain(|stop| !matches!(stop.of, Stopped::Angle(_)));
+                }
                 Ok(machine) => return Ok(Declared { machine, acting, source }),
                 // Beside a search friction is refused.
                 Err(told)
@@ -168,7 +186,7 @@ impl Outcomes {
                     acting.frictions.clear();
                 }
                 Err(told) => {
-                    println!("refused: {told:?}\n{source}");
+                    println!("seed {} is refused: {told:?}\n{source}", self.seed);
                     return Err(reason(&told));
                 }
             }
@@ -176,11 +194,14 @@ impl Outcomes {
     }
 
     /// Takes the machine of a seed.
-    pub(super) fn take(&mut self, seed: u64, poses: usize) {
+    pub(super) fn take(&mut self, seed: u64, Sample { poses, most_links, twins }: Sample) {
+        self.seed = seed;
         let mut random = Random(seed);
         // The first numbers of seeds that differ little do so, too.
-        (0..8).for_each(|_| drop(random.below(2)));
-        let links = 3 + random.below(13);
+        for _ in 0..8 {
+            random.below(2);
+        }
+        let links = 3 + random.below(most_links - 2);
         let growth = growing::grown(&mut random, links);
         let (drawing, random) = (&growth.drawing, &mut random);
         let acting = drawing.acting(random);
@@ -197,27 +218,43 @@ impl Outcomes {
         self.searched += usize::from(is_searched);
         let wrong = self.walk([drawing; 2], &declared, random, poses);
         self.wrong_of(seed, &growth.parts, &declared, wrong);
-        if !drawing.params.is_empty() && !is_searched {
+        if twins[0] && !drawing.params.is_empty() && !is_searched {
             self.with_other_params += 1;
             let mut other = drawing.clone();
-            other
-                .params
-                .iter_mut()
-                .for_each(|param| param.default += between(random, [-0.005, 0.005]));
+            for param in &mut other.params {
+                param.default += between(random, [-0.005, 0.005]);
+            }
             let wrong = self.walk([drawing, &other], &declared, random, poses.div_ceil(4));
             self.wrong_of(seed, &growth.parts, &declared, wrong);
         }
-        let moved = moved(drawing, random);
-        if let Ok(declared) = self.declared(&moved, &acting, seed % 4 == 3, random) {
+        if twins[1] {
+            let moved = moved(drawing, random);
+            let declared = self.declared(&moved, &acting, seed % 4 == 3, random);
+            let declared = declared.unwrap_or_else(|told| panic!("seed {seed}, moved: {told}"));
             self.moved += 1;
             let wrong = self.walk([&moved; 2], &declared, random, poses.div_ceil(4));
             self.wrong_of(seed, &growth.parts, &declared, wrong);
         }
-        let Some(elsewhere) = driven_elsewhere(drawing, random) else { return };
-        match self.declared(&elsewhere, &acting, false, random) {
+        if twins[2] {
+            self.take_driven_elsewhere(seed, &growth, &acting, random, poses.div_ceil(4));
+        }
+    }
+
+    fn take_driven_elsewhere(
+        &mut self,
+        seed: u64,
+        growth: &Growth,
+        acting: &Acting,
+        random: &mut Random,
+        poses: usize,
+    ) {
+        let Some(elsewhere) = driven_elsewhere(&growth.drawing, random) else { return };
+        match self.declared(&elsewhere, acting, false, random) {
             Ok(declared) => {
                 self.driven_elsewhere += 1;
-                let wrong = self.walk([&elsewhere; 2], &declared, random, poses.div_ceil(4));
+                self.searched_elsewhere +=
+                    usize::from(!declared.machine.mechanism.unknowns.is_empty());
+                let wrong = self.walk([&elsewhere; 2], &declared, random, poses);
                 self.wrong_of(seed, &growth.parts, &declared, wrong);
             }
             Err(reason) => *self.refused_elsewhere.entry(reason).or_default() += 1,

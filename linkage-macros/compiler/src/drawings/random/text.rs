@@ -47,6 +47,7 @@ impl Drawing {
         let unit = if is_angle { "rad" } else { "m" };
         let product = if factor == 1.0 { read } else { format!("{factor:?} * {read}") };
         match constant {
+            _ if factor == 0.0 => length(constant),
             0.0 => product,
             _ if constant < 0.0 => format!("{product} - {:?}{unit}", -constant),
             _ => format!("{product} + {constant:?}{unit}"),

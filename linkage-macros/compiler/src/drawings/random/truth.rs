@@ -194,15 +194,15 @@ impl<'a> Truth<'a> {
         let mut found = near.to_vec();
         let mut is_closed = false;
         for _ in 0..12 {
-            let (inverse, is_positive) = self.jacobian(&values, &found).inverse()?;
             let moving: Vec<_> = found.iter().map(|&value| Jet::still(value)).collect();
-            let step = inverse.times(&self.opened(&still, &moving, 0));
+            let jacobian = self.jacobian(&values, &found);
+            let step = jacobian.solved(&self.opened(&still, &moving, 0))?;
             for (value, step) in found.iter_mut().zip(&step) {
                 *value -= step;
             }
             let size = step.iter().fold(0.0_f64, |size, step| size.max(step.abs()));
             if is_closed {
-                return Some(self.moved(inputs, &found, inverse, is_positive));
+                return self.moved(inputs, &found);
             }
             // Once more: what was quadratic is then at the rounding of the equations.
             is_closed = size < 1e-9;
@@ -210,9 +210,10 @@ impl<'a> Truth<'a> {
         None
     }
 
-    fn moved(&self, inputs: &[Jet], at: &[f64], inverse: Matrix, is_positive: bool) -> Pose {
+    fn moved(&self, inputs: &[Jet], at: &[f64]) -> Option<Pose> {
         let values: Vec<_> = inputs.iter().map(|input| input.0[0]).collect();
         let jacobian = self.jacobian(&values, at);
+        let (inverse, is_positive) = jacobian.inverse()?;
         let mut coordinates: Vec<_> = at.iter().map(|&value| Jet::still(value)).collect();
         for order in [1, 2] {
             let rates = inverse.times(&self.opened(inputs, &coordinates, order));
@@ -220,7 +221,7 @@ impl<'a> Truth<'a> {
                 coordinate.0[order] = -rate;
             }
         }
-        Pose { inputs: inputs.to_vec(), coordinates, jacobian, inverse, is_positive }
+        Some(Pose { inputs: inputs.to_vec(), coordinates, jacobian, inverse, is_positive })
     }
 
     /// The pose that is drawn, moved to where all equations hold.
