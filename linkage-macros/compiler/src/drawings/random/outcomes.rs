@@ -180,7 +180,7 @@ impl Outcomes {
                 // Beside a search friction is refused.
                 Err(told)
                     if !acting.frictions.is_empty()
-                        && told.iter().all(|told| told.contains("friction")) =>
+                        && told.iter().any(|told| told.contains("friction")) =>
                 {
                     self.without_friction += 1;
                     acting.frictions.clear();
