@@ -238,7 +238,28 @@ struct Kind {
     facts: &'static [Fact],
 }
 
-const KINDS: [Kind; 6] = [
+const KINDS: [Kind; 8] = [
+    // Also the texts of an effort, an output or a member of the same name.
+    Kind {
+        name: "statements",
+        aim: 8,
+        facts: &[
+            fact(24, &[Name("Stop"), Name("StopStatement"), Text("stop")]),
+            fact(22, &[Name("Spring"), Name("SpringStatement"), Text("spring")]),
+            fact(11, &[Name("Friction"), Name("FrictionStatement"), Text("friction")]),
+            fact(6, &[Name("Gravity"), Name("GravityStatement"), Text("gravity")]),
+        ],
+    },
+    Kind {
+        name: "efforts",
+        aim: 9,
+        facts: &[
+            fact(7, &[Name("Losses")]),
+            fact(10, &[Name("Shaking")]),
+            fact(10, &[Name("Gap")]),
+            fact(8, &[Name("PinFriction")]),
+        ],
+    },
     Kind {
         name: "groups",
         aim: 5,

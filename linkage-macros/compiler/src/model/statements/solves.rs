@@ -161,7 +161,7 @@ fn equation_moves(
     equation: &Equation,
 ) -> Option<()> {
     let searched = scope.facts.searched()?;
-    let changes = |expr: &Scalar| unknowns::changes_with(scope, searched, expr);
+    let changes = |expr: &Scalar| unknowns::changes_with(searched, expr);
     let moves = match equation {
         Equation::Difference(sides) => sides.iter().any(changes),
         Equation::Turn(turn) => {
@@ -238,7 +238,7 @@ fn trend_param(scope: &mut Scope<'_>, word: &Ident) -> Option<Mode> {
 fn near(scope: &mut Scope<'_>, near: &Expr, dimension: Dimension) -> Option<Scalar> {
     let value = numbers::scalar(scope, near, dimension)?;
     let searched = scope.facts.searched()?;
-    if !unknowns::changes_with(scope, searched, &value) {
+    if !unknowns::changes_with(searched, &value) {
         return Some(value);
     }
     let message = format!("`near` cannot depend on `{}`", searched.name);

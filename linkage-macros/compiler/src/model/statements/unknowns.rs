@@ -154,12 +154,8 @@ fn end_depends_on_no_input(scope: &mut Scope<'_>, end: &Expr, name: &Ident) -> O
 }
 
 /// True if the value changes with the unknown that is searched.
-pub(in crate::model) fn changes_with(
-    scope: &Scope<'_>,
-    searched: &Searched,
-    expr: &Scalar,
-) -> bool {
-    let changes = |expr: &Scalar| changes_with(scope, searched, expr);
+pub(in crate::model) fn changes_with(searched: &Searched, expr: &Scalar) -> bool {
+    let changes = |expr: &Scalar| changes_with(searched, expr);
     let reaches = |entity| searched.reaches(entity);
     match expr {
         Scalar::Constant(_)
