@@ -6,6 +6,18 @@
 //! error has made stays known, so that its users get no message of their own. The same holds for
 //! what the parser could not read: a damaged part is known to be there, and nothing more.
 //!
+//! | rooms, each standing on those above it | |
+//! |---|---|
+//! | `dimension`, `units`, `expr`, `ids`, `mechanism`, `acting`, `effort` | the mechanism, as later phases read it |
+//! | `names`, `facts`, `scope` | all that is declared so far |
+//! | `uses`, `declared`, `kinds` | names where they are used, links and points where they are made |
+//! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `loads_in_forces`, `readings`, `expressions`, `numbers` | expressions |
+//! | `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given` | efforts, and what is asked for |
+//! | `fields`, `modes`, `jointed`, `assembly`, `coincidence` | what the groups share |
+//! | `statements` | a file a statement |
+//! | `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
+//! | `drawn` | links and joints into drivers and groups |
+//!
 //! Nothing here knows how a mechanism is solved. Of numbers there is what the rules need of constants, and what a
 //! drawing needs: `drawn` finds the inputs of the drawn pose by Newton's method, and the angles of links that are held
 //! together by the theorem of cosines.

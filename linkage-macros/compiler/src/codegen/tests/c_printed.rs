@@ -79,7 +79,9 @@ fn of_body(function: &str) -> impl Iterator<Item = &str> {
     let lines = function.lines();
     let names = lines.filter_map(|line| line.trim().strip_prefix("(void)")?.strip_suffix(';'));
     names.filter(|name| !["given", "trial_"].contains(name)).filter(move |name| {
-        let words = function.split(|letter| !is_of_a_name(letter));
+        // Names of links stand in texts, too.
+        let code = function.split('"').step_by(2);
+        let words = code.flat_map(|code| code.split(|letter| !is_of_a_name(letter)));
         // Its declaration is one, and what sets it aside another.
         words.filter(|word| word == name).count() > 2
     })

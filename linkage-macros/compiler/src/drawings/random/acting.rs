@@ -1,4 +1,4 @@
-//! What has mass in a machine, and what acts on it.
+//! Masses of a machine, and all that acts on it.
 
 use super::drawing::Read;
 

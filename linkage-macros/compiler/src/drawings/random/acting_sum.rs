@@ -149,7 +149,7 @@ impl Sum<'_> {
         [effort, 0.5 * stiffness * off * off]
     }
 
-    /// What a stop exerts, the way to its nearer end, and its energy.
+    /// The effort of a stop, the way to its nearer end, and its energy.
     pub(super) fn stop(
         &mut self,
         Stop { of, between: [from, to], stiffness, damping }: &Stop,
@@ -213,7 +213,7 @@ impl Sum<'_> {
         [mass, 0.5 * kinetic, -mass * (gravity[0] * at[0] + gravity[1] * at[1])]
     }
 
-    /// What a friction of this size exerts against the slip, by its slip.
+    /// The effort of a friction of this size against the slip, by its slip.
     pub(super) fn rubbing(&mut self, friction: &Friction, size: f64) {
         match *friction {
             Friction::Pin { pin, .. } => {

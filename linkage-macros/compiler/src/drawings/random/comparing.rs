@@ -43,7 +43,7 @@ impl Off {
 /// Every number that is known, by name, and by how much it may be off.
 pub(super) type Expected = HashMap<String, (Vec<f64>, f64)>;
 
-/// What a reaction is where the link carries all that is put on its pin.
+/// The reaction where the link carries all that is put on its pin.
 const CARRIED: &str = " if the link carries what is put on the pin";
 
 /// The motion of all pins and links.
@@ -198,7 +198,7 @@ pub(super) fn compared(found: &Results, known: &Expected) -> (usize, Vec<String>
         }
         for (value, expected) in values.iter().zip(expected) {
             count += 1;
-            // What is no number is off, too.
+            // A value that is no number is off, too.
             let is_near = |expected: &f64| (value - expected).abs() <= *off;
             // A load on a pin that joins links is carried by one of them, which statements do not name.
             let carried = known.get(&format!("{name}{CARRIED}"));

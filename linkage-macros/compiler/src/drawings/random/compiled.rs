@@ -1,4 +1,4 @@
-//! What the compiled machine gives in a pose, by names.
+//! The numbers of the compiled machine in a pose, by names.
 
 use std::collections::HashMap;
 

@@ -165,7 +165,7 @@ impl Drawing {
         Frame { at, angle }
     }
 
-    /// What is driven or read, in the drawing.
+    /// The value that is driven or read, in the drawing.
     pub(super) fn drawn(&self, read: Read) -> f64 {
         match read {
             Read::Input(input) => self.drawn_input(input),
@@ -174,7 +174,7 @@ impl Drawing {
         }
     }
 
-    /// What a drive gives, in the drawing: an angle within half a turn.
+    /// The value of a drive in the drawing: an angle within half a turn.
     pub(super) fn driven(&self, drive: &Drive) -> f64 {
         let drawn = self.drawn(drive.driven);
         drive

@@ -5,16 +5,16 @@ use super::acting_sum::Sum;
 use super::jet::Jet;
 use super::truth::{Equation, Pose, Truth};
 
-/// What is exerted in a moment.
+/// All that is exerted in a moment.
 #[derive(Clone, Debug)]
 pub(super) struct Efforts {
     /// The multiplier of each equation.
     pub multipliers: Vec<f64>,
     pub inputs: Vec<f64>,
     pub springs: Vec<f64>,
-    /// What each stop exerts, and the way to its nearer end.
+    /// The effort of each stop, and the way to its nearer end.
     pub stops: Vec<[f64; 2]>,
-    /// What each friction exerts: the couple on the first link at a pin, the force along a slide.
+    /// The effort of each friction: the couple on the first link at a pin, the force along a slide.
     pub frictions: Vec<f64>,
     pub losses: f64,
     /// Kinetic and potential energy.
@@ -22,11 +22,11 @@ pub(super) struct Efforts {
     pub mass: f64,
     /// The largest of all forces.
     pub largest: f64,
-    /// What friction adds to an error: one over one less its largest share.
+    /// The factor of friction in an error: one over one less its largest share.
     pub magnified: f64,
 }
 
-/// What rubs, and all multipliers with it.
+/// The frictions, and all multipliers with them.
 struct Rubbed {
     frictions: Vec<f64>,
     multipliers: Vec<f64>,
@@ -46,7 +46,7 @@ impl Truth<'_> {
         self.equations.iter().position(is_it).map(|row| all[row])
     }
 
-    /// What presses where a friction is.
+    /// The force that presses where a friction is.
     fn pressed(&self, friction: &Friction, all: &[f64]) -> f64 {
         let of = |is_it: &dyn Fn(&Equation) -> bool| {
             self.multiplier(all, is_it).expect("the joint has an equation")

@@ -7,7 +7,7 @@ use super::drawing::{
 use super::text::shuffled;
 use super::truth::Truth;
 
-/// What is added to a machine at once.
+/// A part that is added to a machine at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Part {
     Crank,

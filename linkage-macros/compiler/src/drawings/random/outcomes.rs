@@ -13,7 +13,7 @@ use super::growing::{self, DRAWN_CONDITION, Growth, Part, between};
 use super::truth::Truth;
 use super::walking::{self, Reach, free_reach};
 
-/// What became of many machines.
+/// The outcome of many machines.
 #[derive(Debug, Default)]
 pub(super) struct Outcomes {
     /// The last one taken.
@@ -38,12 +38,12 @@ pub(super) struct Outcomes {
     pub wrong: Vec<String>,
 }
 
-/// How much is taken of each machine.
+/// The share that is taken of each machine.
 #[derive(Clone, Copy)]
 pub(super) struct Sample {
     pub poses: usize,
     pub most_links: usize,
-    /// Whether other parameters, moved pins and another drive are tried.
+    /// True if other parameters, moved pins and another drive are tried.
     pub twins: [bool; 3],
 }
 
@@ -64,7 +64,7 @@ fn reason(told: &[String]) -> String {
         .replace("_, ", "")
 }
 
-/// What is computed only where it is asked for.
+/// A value that is computed only where it is asked for.
 fn asked(acting: &Acting, has_losses: bool) -> String {
     let mut asked = Vec::new();
     for (nth, spring) in acting.springs.iter().enumerate() {
@@ -82,7 +82,7 @@ fn asked(acting: &Acting, has_losses: bool) -> String {
     format!("output {};", asked.join(", "))
 }
 
-/// How far the documentation says that searches were followed about the drawing.
+/// The stretch about the drawing along which searches were followed, as the documentation says.
 fn reaches(drawing: &Drawing, machine: &Machine) -> Vec<Reach> {
     let docs = machine.docs();
     let of = |name: &str, is_angle: bool| {

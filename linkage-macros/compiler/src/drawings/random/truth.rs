@@ -58,7 +58,7 @@ impl Pose {
     }
 }
 
-/// What is asked of a motion.
+/// The parts of a motion that are asked for.
 pub(super) struct Moment<'a> {
     truth: &'a Truth<'a>,
     inputs: &'a [Jet],

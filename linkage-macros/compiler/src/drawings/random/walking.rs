@@ -13,7 +13,7 @@ const LARGEST_CONDITION: f64 = 3.0 * DRAWN_CONDITION;
 /// The ends between which an input may go, about the drawing.
 pub(super) type Reach = [f64; 2];
 
-/// How far inputs go where nothing else ends them: most of a quarter turn, and a part of a link's length.
+/// The way that inputs go where nothing else ends them: most of a quarter turn, and a part of a link's length.
 pub(super) fn free_reach(is_angle: bool) -> Reach {
     if is_angle { [-1.2, 1.2] } else { [-0.15, 0.15] }
 }
