@@ -244,7 +244,7 @@ const KINDS: [Kind; 8] = [
         name: "statements",
         aim: 8,
         facts: &[
-            fact(24, &[Name("Stop"), Name("StopStatement"), Text("stop")]),
+            fact(23, &[Name("Stop"), Name("StopStatement"), Text("stop")]),
             fact(22, &[Name("Spring"), Name("SpringStatement"), Text("spring")]),
             fact(11, &[Name("Friction"), Name("FrictionStatement"), Text("friction")]),
             fact(6, &[Name("Gravity"), Name("GravityStatement"), Text("gravity")]),
@@ -254,9 +254,9 @@ const KINDS: [Kind; 8] = [
         name: "efforts",
         aim: 9,
         facts: &[
-            fact(7, &[Name("Losses")]),
+            fact(6, &[Name("Losses")]),
             fact(10, &[Name("Shaking")]),
-            fact(10, &[Name("Gap")]),
+            fact(9, &[Name("Gap")]),
             fact(8, &[Name("PinFriction")]),
         ],
     },

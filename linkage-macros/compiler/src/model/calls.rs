@@ -116,7 +116,7 @@ fn function_is_defined(
 }
 
 /// The arguments of a function have the dimensions it is defined for.
-pub(in crate::model) fn measure_of_call(
+fn measure_of_call(
     scope: &mut Scope<'_>,
     function: Function,
     arguments: &[tree::Expr],

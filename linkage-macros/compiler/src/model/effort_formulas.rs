@@ -6,26 +6,16 @@ use syn::Attribute;
 
 use crate::syntax::tree;
 
-use crate::model::acting::{Contact, Effort, Ends, Formula, RequestedEffort};
+use crate::model::acting::{Contact, Effort, Formula, RequestedEffort};
 use crate::model::dimension::Measure;
+use crate::model::effort_dimensions::of_effort;
 use crate::model::ids::FormulaId;
-use crate::model::mechanism::{Carrier, Dimension, LinkId, Scalar};
+use crate::model::mechanism::{Carrier, Dimension, LinkId, Mechanism, Scalar};
 use crate::model::names::{Kind, listed};
 use crate::model::reads::Reads;
 use crate::model::resolved_expr::ResolvedExpr;
 use crate::model::scope::Scope;
 use crate::model::{dynamics_outputs, fits, given, link_efforts, named_efforts, uses};
-
-/// A power: what friction takes.
-const POWER: Dimension = Dimension { time: -3, ..Dimension::TORQUE };
-
-/// The effort whose product with the rate of this is a power.
-fn conjugate(dimension: Dimension) -> Dimension {
-    match dimension {
-        Dimension::LENGTH => Dimension::FORCE,
-        _ => Dimension::TORQUE,
-    }
-}
 
 /// A number of efforts, rates and loads as an output.
 pub(super) fn give_formula(
@@ -222,35 +212,15 @@ fn friction_named(
 fn reading(scope: &mut Scope<'_>, at: &Ident, effort: Effort, part: usize) -> Option<ResolvedExpr> {
     named_efforts::effort_is_known(scope, at, effort)?;
     let reads = Reads::an_effort(effort);
-    let measure = Measure::Known(dimension_of(scope, effort, part));
+    let measure = Measure::Known(dimension_of(&scope.mechanism, effort, part));
     Some(ResolvedExpr { reads, ..ResolvedExpr::plain(measure, Scalar::Effort(effort, part)) })
 }
 
-fn dimension_of(scope: &Scope<'_>, effort: Effort, part: usize) -> Dimension {
-    let mechanism = &scope.mechanism;
-    let dynamics = &mechanism.dynamics;
-    match effort {
-        Effort::Input(id) => conjugate(mechanism.inputs[id.index()].dimension),
-        Effort::Unknown(id) => conjugate(mechanism.unknowns[id.index()].dimension),
-        Effort::Drive(link) => match mechanism.is_driven_along(link) {
-            true => Dimension::FORCE,
-            false => Dimension::TORQUE,
-        },
-        Effort::Push(_) | Effort::Pin(..) | Effort::Bearing(..) | Effort::GuideFriction(_) => {
-            Dimension::FORCE
-        }
-        Effort::Guide(_) => [Dimension::FORCE, Dimension::TORQUE][part],
-        Effort::Shaking => [Dimension::FORCE, Dimension::FORCE, Dimension::TORQUE][part],
-        Effort::Spring(id) => match dynamics.springs[id.index()].ends {
-            Ends::Points(_) => Dimension::FORCE,
-            Ends::Bodies(_) => Dimension::TORQUE,
-        },
-        Effort::Stop(id) => conjugate(dynamics.stops[id.index()].of.dimension()),
-        Effort::Gap(id) => dynamics.stops[id.index()].of.dimension(),
-        Effort::PinFriction(..) => Dimension::TORQUE,
-        Effort::Losses => POWER,
-        Effort::Pull => dynamics.pull.as_ref().map_or(Dimension::NUMBER, |load| load.dimension),
-        Effort::Formula(id) => dynamics.formulas[id.index()].dimension,
+/// The dimension of a component of an effort.
+fn dimension_of(mechanism: &Mechanism, effort: Effort, part: usize) -> Dimension {
+    match (effort, part) {
+        (Effort::Guide(_), 1) | (Effort::Shaking, 2) => Dimension::TORQUE,
+        _ => of_effort(mechanism, effort),
     }
 }
 

@@ -43,12 +43,8 @@ pub(super) fn expression(
                 .flatten();
             effort.unwrap_or_else(|| readings::member(scope, owner, member, allowed))
         }
-        ExprKind::Part(path) if allowed.efforts => effort_formulas::part_read(scope, path),
-        ExprKind::Part(path) => {
-            // Its names are looked at.
-            effort_formulas::part_read(scope, path)?;
-            None
-        }
+        // Where it does not stand its names are looked at all the same.
+        ExprKind::Part(path) => effort_formulas::part_read(scope, path).filter(|_| allowed.efforts),
         ExprKind::Negate(inner) => {
             let mut quantity = expression(scope, inner, allowed)?;
             quantity.scale_links(-1)?;

@@ -54,11 +54,7 @@ pub(in crate::model) fn dimension_fits(
 
 /// The correction of a product that lacks a dimension and has a number without a unit:
 /// `-10 * rate(s)` as a force.
-pub(in crate::model) fn factor_without_unit(
-    scope: &Scope<'_>,
-    expr: &tree::Expr,
-    missing: Dimension,
-) -> Option<String> {
+fn factor_without_unit(scope: &Scope<'_>, expr: &tree::Expr, missing: Dimension) -> Option<String> {
     let unit = missing.unit()?;
     let factor = match &expr.kind {
         ExprKind::Negate(inner) => return factor_without_unit(scope, inner, missing),
@@ -79,10 +75,7 @@ pub(in crate::model) fn factor_without_unit(
 }
 
 /// The digits of a number without a unit, or the name of such a parameter and its digits.
-pub(in crate::model) fn number_without_unit(
-    scope: &Scope<'_>,
-    expr: &tree::Expr,
-) -> Option<(String, Option<String>)> {
+fn number_without_unit(scope: &Scope<'_>, expr: &tree::Expr) -> Option<(String, Option<String>)> {
     match &expr.kind {
         ExprKind::Number { digits, units } if units.is_empty() => Some((digits.clone(), None)),
         ExprKind::Negate(inner) => number_without_unit(scope, inner),
@@ -113,7 +106,7 @@ pub(in crate::model) fn no_link_angle(
     None
 }
 
-pub(in crate::model) fn is_link_angle(scope: &Scope<'_>, expr: &tree::Expr) -> bool {
+fn is_link_angle(scope: &Scope<'_>, expr: &tree::Expr) -> bool {
     match &expr.kind {
         ExprKind::Member(_, member) => member == "angle",
         ExprKind::Name(name) => match scope.names.entity(name) {

@@ -2,14 +2,18 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{Expr, GroupStatement, GuideStatement, PointPlace};
+use crate::syntax::tree::{
+    Expr, ExprKind, GroupFieldValue, GroupStatement, GuideStatement, PointPlace,
+};
 
 /// Puts what stands in the frames that links are written in into those of their groups.
 pub(super) trait FramesOfGroups {
     /// An expression in which the angles of links are those of their groups' frames.
     fn expr(&self, expr: &Expr) -> Expr;
 
-    fn pair(&self, pair: &[Expr; 2]) -> [Expr; 2];
+    fn pair(&self, [first, second]: &[Expr; 2]) -> [Expr; 2] {
+        [self.expr(first), self.expr(second)]
+    }
 
     /// An angle against the written frame of a link, against that of its group.
     fn added(&self, link: &Ident, angle: Expr) -> Expr;
@@ -22,7 +26,28 @@ pub(super) trait FramesOfGroups {
 
     fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace;
 
-    fn group(&self, group: &mut GroupStatement);
+    /// The fields of a group, of a spring or of a stop.
+    fn group(&self, group: &mut GroupStatement) {
+        let reference = group.fields.iter().find_map(|field| match &field.value {
+            GroupFieldValue::One(Expr { kind: ExprKind::Name(name), .. })
+                if field.name == "relative_to" =>
+            {
+                Some(name.clone())
+            }
+            _ => None,
+        });
+        for field in &mut group.fields {
+            field.value = match &field.value {
+                GroupFieldValue::One(value) => GroupFieldValue::One(match &reference {
+                    Some(reference) if field.name == "angle" => {
+                        self.added(reference, self.expr(value))
+                    }
+                    _ => self.expr(value),
+                }),
+                GroupFieldValue::Pair(values) => GroupFieldValue::Pair(self.pair(values)),
+            };
+        }
+    }
 
     /// The place in the frame of the group that a guide on a link goes through; none where it stays as it is.
     fn through(&self, guide: &GuideStatement) -> Option<[Expr; 2]>;

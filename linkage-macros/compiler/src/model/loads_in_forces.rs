@@ -92,7 +92,7 @@ pub(in crate::model) fn is_free_of_pull(
 }
 
 /// Reports the first part of an expression that holds the load that drives an input.
-pub(in crate::model) fn pull_is_refused(
+fn pull_is_refused(
     scope: &mut Scope<'_>,
     expr: &tree::Expr,
     message: String,
@@ -112,11 +112,7 @@ pub(in crate::model) fn pull_is_refused(
 }
 
 /// A load stands in the value of a force or a torque, and nowhere else.
-pub(in crate::model) fn load_stands_in_a_force(
-    scope: &mut Scope<'_>,
-    name: &Ident,
-    allowed: Allowed,
-) -> Option<()> {
+fn load_stands_in_a_force(scope: &mut Scope<'_>, name: &Ident, allowed: Allowed) -> Option<()> {
     if allowed.forces {
         return Some(());
     }

@@ -45,7 +45,7 @@ pub(super) fn words_of(kind: &ParamKind) -> [&'static str; 2] {
 }
 
 /// The side that the word names.
-pub(super) fn side_word(word: &Ident) -> Option<Sign> {
+fn side_word(word: &Ident) -> Option<Sign> {
     Modes::Side.sign(&word.to_string())
 }
 

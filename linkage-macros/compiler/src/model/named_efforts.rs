@@ -55,7 +55,7 @@ pub(in crate::model) fn effort_of_spring(
     None
 }
 
-pub(in crate::model) fn part_of_spring(
+fn part_of_spring(
     scope: &mut Scope<'_>,
     owner: &Ident,
     member: &Ident,

@@ -1,4 +1,4 @@
-//! Checks that an expression fits its place: a length, an angle, a fixed number.
+//! Expressions of one kind: a length, an angle, a fixed number.
 
 use proc_macro2::Ident;
 

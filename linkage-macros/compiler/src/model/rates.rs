@@ -40,7 +40,7 @@ pub(in crate::model) fn rate(
     Some(argument)
 }
 
-pub(in crate::model) fn argument_of_rate(
+fn argument_of_rate(
     scope: &mut Scope<'_>,
     argument: &Expr,
     allowed: Allowed,

@@ -44,7 +44,7 @@ pub(super) fn member(
 }
 
 /// A point has two coordinates.
-pub(super) fn axis(scope: &mut Scope<'_>, owner: &Ident, member: &Ident) -> Option<Axis> {
+fn axis(scope: &mut Scope<'_>, owner: &Ident, member: &Ident) -> Option<Axis> {
     let part = member.to_string();
     let (message, reason) = match part.as_str() {
         "x" => return Some(Axis::X),

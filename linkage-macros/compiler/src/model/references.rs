@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{Declaration, Expr, ExprKind, Statement};
+use crate::syntax::tree::{Declaration, Expr, Statement};
 
 use crate::model::mechanism::References;
 use crate::model::statements::{declared_by, rules, title};
@@ -27,14 +27,12 @@ impl References {
         }
         let known: HashSet<_> = references.made.iter().map(|(name, _)| name.to_string()).collect();
         for statement in &tree.statements {
-            let mut used = |name: &Ident| {
+            rules(statement).each_name(&mut |name| {
                 // Modes and what a crank's angle is relative to may also be words.
                 if known.contains(&name.to_string()) {
                     references.used.push(name.clone());
                 }
-            };
-            rules(statement).builds_on().into_iter().for_each(&mut used);
-            expressions(statement, &mut |expr| names_in(expr, &mut used));
+            });
         }
         references
     }
@@ -43,26 +41,11 @@ impl References {
 /// Every name that a statement uses, as written.
 pub(super) fn names_used(statement: &Statement) -> Vec<Ident> {
     let mut names = Vec::new();
-    each_name_used(statement, &mut |name| names.push(name.clone()));
+    rules(statement).each_name(&mut |name| names.push(name.clone()));
     names
-}
-
-/// Calls `f` with every name that a statement uses.
-pub(super) fn each_name_used(statement: &Statement, f: &mut impl FnMut(&Ident)) {
-    rules(statement).builds_on().into_iter().for_each(&mut *f);
-    expressions(statement, &mut |expr| names_in(expr, &mut *f));
 }
 
 /// Calls `f` with every expression of the statement.
 pub(super) fn expressions(statement: &Statement, f: &mut dyn FnMut(&Expr)) {
     rules(statement).each_expression(f);
-}
-
-/// Calls `f` with every name in the expression.
-pub(super) fn names_in(expr: &Expr, f: &mut impl FnMut(&Ident)) {
-    expr.each_part(&mut |part| match &part.kind {
-        ExprKind::Name(name) | ExprKind::Member(name, _) => f(name),
-        ExprKind::Part(path) => path[..2].iter().for_each(&mut *f),
-        _ => {}
-    });
 }

@@ -6,7 +6,7 @@ use crate::syntax::tree::{
 
 use crate::model::acting::Dynamics;
 use crate::model::dimension::Dimension;
-use crate::model::references::{expressions, names_in};
+use crate::model::references::expressions;
 use crate::model::scope::Scope;
 
 /// A mechanism has at least one input. Nothing is said where one is used that was forgotten.
@@ -80,7 +80,7 @@ fn follow_lets(tree: &Declaration, used: &mut Vec<String>) {
 
 /// Adds the names in the expression that are not yet in the list.
 fn add_names(expr: &Expr, names: &mut Vec<String>) {
-    names_in(expr, &mut |name| {
+    expr.each_name(&mut |name| {
         let name = name.to_string();
         if !names.contains(&name) {
             names.push(name);
@@ -139,7 +139,7 @@ fn is_mentioned(tree: &Declaration, name: &str) -> bool {
                 let called = matches!(&part.kind, ExprKind::Call(function, _) if function == name);
                 is_mentioned |= called;
             });
-            names_in(expr, &mut |used| is_mentioned |= used == name);
+            expr.each_name(&mut |used| is_mentioned |= used == name);
         });
     }
     is_mentioned

@@ -12,11 +12,12 @@ use super::{FRICTION, In, ROOT};
 use crate::codegen::arguments::Signatures;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
-use crate::interface::dimensions::{effort_along, of_result};
+use crate::interface::dimensions::of_result;
 use crate::interface::entries::{Analysis, ArgumentKind, Entry};
 use crate::interface::quantity::Order;
 use crate::interface::{Interface, labels};
 use crate::lower::routine::Lowered;
+use crate::model::effort_dimensions::effort_along;
 use crate::model::mechanism::{Dimension, Mechanism, ParamKind};
 
 /// The text that all FMUs share.

@@ -5,11 +5,11 @@ use proc_macro2::TokenStream;
 use super::doc_comments::{after, lines};
 use crate::codegen::identifiers::text;
 use crate::interface::Interface;
-use crate::interface::dimensions::{effort_along, of_effort};
 use crate::interface::force_records::path;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::model::acting::{Effort, Ends, Load, RequestedEffort};
+use crate::model::effort_dimensions::{effort_along, of_effort};
 use crate::model::mechanism::{
     Body, Carrier, Dimension, Drive, LinkId, Mechanism, PointId, SpringId, StopId,
 };

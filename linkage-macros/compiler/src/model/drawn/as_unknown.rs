@@ -19,6 +19,7 @@ use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::group_statement::group_of;
 use crate::model::drawn::writer::Writer;
 use crate::model::drawn::written::{Sought, Stretch};
+use crate::model::frames_of_groups::FramesOfGroups;
 
 impl Writer<'_, '_> {
     /// The unknown that drives a body.

@@ -7,10 +7,7 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::exact::Exact;
-use crate::syntax::tree::{
-    Expr, ExprKind, GroupFieldValue, GroupStatement, GuideAnchor, GuideStatement, PointPlace,
-    Statement,
-};
+use crate::syntax::tree::{Expr, ExprKind, GuideAnchor, GuideStatement, PointPlace, Statement};
 
 use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::figures::{Figure, Pen, sum};
@@ -30,15 +27,16 @@ struct FrameShift {
     is_reversed: bool,
 }
 
-/// Those of all such links.
-pub(super) struct FrameShifts {
+/// Those of all such links of a drawing.
+pub(super) struct FrameShifts<'b, 't> {
+    bodies: &'b Bodies<'t>,
     pen: Pen,
     by_link: HashMap<String, FrameShift>,
 }
 
-impl FrameShifts {
-    pub(super) fn new(pen: &Pen) -> Self {
-        Self { pen: pen.clone(), by_link: HashMap::new() }
+impl<'b, 't> FrameShifts<'b, 't> {
+    pub(super) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
+        Self { bodies, pen: pen.clone(), by_link: HashMap::new() }
     }
 
     /// Remembers a link whose group gave it this frame.
@@ -105,16 +103,16 @@ impl FrameShifts {
         self.by_link.get(&link.to_string())
     }
 
-    /// An angle against the written frame of a link, against that of its group.
-    pub(super) fn added(&self, link: &Ident, angle: Expr) -> Expr {
-        match self.of(link).and_then(|turn| turn.angle.as_ref()) {
-            Some(turn) => sum(angle, turn.text.clone()),
-            None => angle,
-        }
+    /// The statement with everything in the frames of groups.
+    pub(super) fn statement(&self, statement: &Statement) -> Statement {
+        let mut shifted = statement.clone();
+        rules_mut(&mut shifted).shift(self);
+        shifted
     }
+}
 
-    /// An expression in which the angles of links are those of their groups' frames.
-    pub(super) fn expr(&self, expr: &Expr) -> Expr {
+impl FramesOfGroups for FrameShifts<'_, '_> {
+    fn expr(&self, expr: &Expr) -> Expr {
         expr.replaced(&|part| match &part.kind {
             ExprKind::Member(link, member) if member == "angle" => {
                 Some(self.added(link, part.clone()))
@@ -123,12 +121,14 @@ impl FrameShifts {
         })
     }
 
-    pub(super) fn pair(&self, [first, second]: &[Expr; 2]) -> [Expr; 2] {
-        [self.expr(first), self.expr(second)]
+    fn added(&self, link: &Ident, angle: Expr) -> Expr {
+        match self.of(link).and_then(|turn| turn.angle.as_ref()) {
+            Some(turn) => sum(angle, turn.text.clone()),
+            None => angle,
+        }
     }
 
-    /// Components along the axes of a link.
-    pub(super) fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+    fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
         let local = self.pair(local);
         let Some(turn) = self.of(link).filter(|turn| turn.angle.is_some()) else { return local };
         let pen = self.pen.at(link.span());
@@ -140,8 +140,7 @@ impl FrameShifts {
         ]
     }
 
-    /// Coordinates in the frame of a link.
-    pub(super) fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
+    fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
         let turned = self.components(link, local);
         let Some(turn) = self.of(link) else { return turned };
         let [x, y] = turned;
@@ -149,58 +148,7 @@ impl FrameShifts {
         [sum_of(dx, x), sum_of(dy, y)]
     }
 
-    /// The statement with everything in the frames of groups.
-    pub(super) fn statement(&self, bodies: &Bodies<'_>, statement: &Statement) -> Statement {
-        let mut shifted = statement.clone();
-        rules_mut(&mut shifted).shift(&InGroups { shifts: self, bodies });
-        shifted
-    }
-
-    /// The place in the frame of the group that a guide on a link goes through; none where it stays as it is.
-    pub(super) fn through(
-        &self,
-        bodies: &Bodies<'_>,
-        GuideStatement { name, on, through, .. }: &GuideStatement,
-    ) -> Option<[Expr; 2]> {
-        let on = on.as_ref()?;
-        let point = match through {
-            GuideAnchor::At(place) => return Some(self.place(on, place)),
-            GuideAnchor::Point(point) => point,
-            GuideAnchor::Mistake => return None,
-        };
-        // Any pin's place in the drawing will do.
-        let body = bodies.body(on).filter(|&body| body != GROUND && !bodies.link(body).is_given)?;
-        if bodies.has_pin(body, point) {
-            return None;
-        }
-        let guide = bodies.guides.iter().find(|known| known.name == name)?;
-        let local = bodies.frames[body].local(&self.pen.at(point.span()), &guide.line.through);
-        Some(self.place(on, &local.map(|number| number.text)))
-    }
-
-    pub(super) fn group(&self, group: &mut GroupStatement) {
-        let reference = group.fields.iter().find_map(|field| match &field.value {
-            GroupFieldValue::One(Expr { kind: ExprKind::Name(name), .. })
-                if field.name == "relative_to" =>
-            {
-                Some(name.clone())
-            }
-            _ => None,
-        });
-        for field in &mut group.fields {
-            field.value = match &field.value {
-                GroupFieldValue::One(value) => GroupFieldValue::One(match &reference {
-                    Some(reference) if field.name == "angle" => {
-                        self.added(reference, self.expr(value))
-                    }
-                    _ => self.expr(value),
-                }),
-                GroupFieldValue::Pair(values) => GroupFieldValue::Pair(self.pair(values)),
-            };
-        }
-    }
-
-    pub(super) fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
+    fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
         let Some((on, turn)) = on.and_then(|on| Some((on, self.of(on)?))) else {
             return match place {
                 PointPlace::Cartesian(place) => PointPlace::Cartesian(self.pair(place)),
@@ -229,6 +177,29 @@ impl FrameShifts {
             place => place.clone(),
         }
     }
+
+    fn through(
+        &self,
+        GuideStatement { name, on, through, .. }: &GuideStatement,
+    ) -> Option<[Expr; 2]> {
+        let on = on.as_ref()?;
+        let point = match through {
+            GuideAnchor::At(place) => return Some(self.place(on, place)),
+            GuideAnchor::Point(point) => point,
+            GuideAnchor::Mistake => return None,
+        };
+        // Any pin's place in the drawing will do.
+        let body = self
+            .bodies
+            .body(on)
+            .filter(|&body| body != GROUND && !self.bodies.link(body).is_given)?;
+        if self.bodies.has_pin(body, point) {
+            return None;
+        }
+        let guide = self.bodies.guides.iter().find(|known| known.name == name)?;
+        let local = self.bodies.frames[body].local(&self.pen.at(point.span()), &guide.line.through);
+        Some(self.place(on, &local.map(|number| number.text)))
+    }
 }
 
 /// The sum, without a zero in front.
@@ -238,45 +209,5 @@ fn sum_of(first: Expr, second: Expr) -> Expr {
         (true, _) => second,
         (_, true) => first,
         _ => sum(first, second),
-    }
-}
-
-/// The drawing with the frames that groups have given its links.
-struct InGroups<'a, 't> {
-    shifts: &'a FrameShifts,
-    bodies: &'a Bodies<'t>,
-}
-
-impl FramesOfGroups for InGroups<'_, '_> {
-    fn expr(&self, expr: &Expr) -> Expr {
-        self.shifts.expr(expr)
-    }
-
-    fn pair(&self, pair: &[Expr; 2]) -> [Expr; 2] {
-        self.shifts.pair(pair)
-    }
-
-    fn added(&self, link: &Ident, angle: Expr) -> Expr {
-        self.shifts.added(link, angle)
-    }
-
-    fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
-        self.shifts.components(link, local)
-    }
-
-    fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
-        self.shifts.place(link, local)
-    }
-
-    fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
-        self.shifts.point(on, place)
-    }
-
-    fn group(&self, group: &mut GroupStatement) {
-        self.shifts.group(group);
-    }
-
-    fn through(&self, guide: &GuideStatement) -> Option<[Expr; 2]> {
-        self.shifts.through(self.bodies, guide)
     }
 }

@@ -12,7 +12,7 @@ use crate::model::drawn::bodies::{Bodies, GuideLine};
 use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::DrawnFrame;
 use crate::model::drawn::reader::Reader;
-use crate::model::references::{names_in, names_used};
+use crate::model::references::names_used;
 
 impl<'t> Reader<'t, '_, '_> {
     pub(super) fn read_drives(&mut self) -> Vec<(usize, &'t DriveStatement)> {
@@ -148,7 +148,7 @@ impl<'t> Reader<'t, '_, '_> {
     /// The bodies whose links an expression names, and what they slide on where it names their slides.
     fn links_in(&self, expr: &Expr) -> Vec<usize> {
         let mut found = Vec::new();
-        names_in(expr, &mut |name| {
+        expr.each_name(&mut |name| {
             found.extend(self.link_of.get(&name.to_string()).map(|link| link + 1));
         });
         expr.each_part(&mut |part| {

@@ -2,12 +2,14 @@
 
 use proc_macro2::Ident;
 
+use crate::syntax::tree::{PointPlace, PointStatement, Statement, StatementKind};
+
 use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::{Heading, Origin};
 use crate::model::drawn::framing::is_left;
 use crate::model::drawn::writer::Writer;
 use crate::model::drawn_links::{BarFound, PinFound};
-use crate::syntax::tree::{PointPlace, PointStatement, Statement, StatementKind};
+use crate::model::frames_of_groups::FramesOfGroups;
 
 impl Writer<'_, '_> {
     /// The bars between the first two pins of links that no group has as such bars.

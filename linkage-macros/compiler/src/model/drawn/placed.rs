@@ -11,6 +11,7 @@ use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::lengths::in_words;
 use crate::model::drawn::writer::Writer;
 use crate::model::drawn_links::BarFound;
+use crate::model::frames_of_groups::FramesOfGroups;
 
 /// Reports points whose place on their link needs the link to be placed first, where the link is placed from them:
 /// those at distances, and those beside the far end of a declared length.

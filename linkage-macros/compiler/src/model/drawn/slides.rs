@@ -7,6 +7,7 @@ use crate::model::drawn::figures::{Figure, Pen};
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::writer::Writer;
 use crate::model::drawn_links::SlideFound;
+use crate::model::frames_of_groups::FramesOfGroups;
 
 impl Writer<'_, '_> {
     /// The place in the drawing where the frame begins that a group gave a link. The far end of a declared length is

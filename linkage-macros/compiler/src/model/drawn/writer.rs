@@ -18,6 +18,7 @@ use crate::model::drawn::group_statement::group_of;
 use crate::model::drawn::written::{Sought, Written};
 use crate::model::drawn::{is_point_of, sorted};
 use crate::model::drawn_links::DrawnLinks;
+use crate::model::frames_of_groups::FramesOfGroups;
 
 /// The statements that a drawing became.
 pub(super) struct Translated {
@@ -43,7 +44,7 @@ pub(super) struct Writer<'b, 't> {
     /// Those of them whose place is not known before the link's.
     pub(super) misplaced: Vec<Ident>,
     /// The frames of links that groups have given other ones than they are written in.
-    pub(super) turns: FrameShifts,
+    pub(super) turns: FrameShifts<'b, 't>,
     /// The frames that groups have given links so far.
     pub(super) own: Vec<Option<DrawnFrame>>,
     pub(super) written: Vec<Written>,
@@ -68,7 +69,7 @@ impl<'b, 't> Writer<'b, 't> {
         for body in (0..machine.bodies.len()).filter(|&body| machine.is_given(body)) {
             machine.bodies[body].made().for_each(|pin| made[pin] = true);
         }
-        let turns = FrameShifts::new(pen);
+        let turns = FrameShifts::new(bodies, pen);
         let own = vec![None; bodies.machine.bodies.len()];
         Self {
             bodies,
@@ -112,7 +113,7 @@ impl<'b, 't> Writer<'b, 't> {
                 continue;
             }
             let statement =
-                ends::renamed(&ends, turns.statement(bodies, placed.as_ref().unwrap_or(statement)));
+                ends::renamed(&ends, turns.statement(placed.as_ref().unwrap_or(statement)));
             written.push(Written { behind: index, search: None, statement });
         }
         written.sort_by_key(|written| written.behind);

@@ -1,4 +1,4 @@
-//! Loads, gravity, forces and torques, and the check that they have an effect.
+//! Rules that masses, forces, torques, springs, stops and frictions share.
 
 use proc_macro2::Ident;
 

@@ -35,7 +35,7 @@ impl Rules for FrictionStatement {
         [coefficient].into_iter().chain(radius).chain(length).chain(smooth).for_each(f);
     }
 
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
         // Which links meet at a pin is known when all are: `frictions`.
     }
 

@@ -1,4 +1,4 @@
-//! `drive theta by pull;`: a load that stands in forces and puts in the effort of an input. Its value follows.
+//! `drive theta by pull;`: the load that puts in the effort of an input. Its value follows.
 
 use proc_macro2::Ident;
 use syn::Attribute;
@@ -25,7 +25,7 @@ impl Rules for DriveByStatement {
         vec![&self.input, &self.load]
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         drive_by(scope, &self.input, &self.load);
     }
 
@@ -140,7 +140,7 @@ impl Group {
     }
 }
 
-pub(in crate::model) fn drive_by(scope: &mut Scope<'_>, input: &Ident, load: &Ident) {
+fn drive_by(scope: &mut Scope<'_>, input: &Ident, load: &Ident) {
     let (driven, by) =
         (uses::usable(scope, input, &[Kind::Input]), uses::usable(scope, load, &[Kind::Load]));
     let is_first = scope.facts.driving.as_deref() == Some(&load.to_string())

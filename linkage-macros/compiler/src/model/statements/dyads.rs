@@ -35,8 +35,8 @@ impl Rules for tree::GroupStatement {
         self.values().for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], moves: bool) {
-        group(scope, docs, self, moves);
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
+        group(scope, docs, self, self.moves(scope));
     }
 
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
@@ -91,12 +91,7 @@ impl tree::GroupStatement {
     }
 }
 
-pub(in crate::model) fn group(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    group: &tree::GroupStatement,
-    moves: bool,
-) {
+fn group(scope: &mut Scope<'_>, docs: &[Attribute], group: &tree::GroupStatement, moves: bool) {
     let Some(anatomy) = GroupSpec::of(&group.keyword.to_string()) else {
         group_exists(scope, &group.keyword);
         names_stay_unknown(scope, group);

@@ -23,7 +23,7 @@ impl Rules for ForceStatement {
         self.value.iter().for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let force = force(scope, &self.value, self.axes.as_ref(), &self.on);
         scope.mechanism.dynamics.forces.extend(force);
     }
@@ -54,7 +54,7 @@ impl Rules for ForceBetweenStatement {
         f(&self.value);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let force = force_between(scope, &self.value, &self.points);
         scope.mechanism.dynamics.forces.extend(force);
     }

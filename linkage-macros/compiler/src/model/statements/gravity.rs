@@ -16,7 +16,7 @@ impl Rules for GravityStatement {
         self.value.iter().for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         gravity(scope, self.at, &self.value);
     }
 

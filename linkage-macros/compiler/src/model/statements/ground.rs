@@ -25,7 +25,7 @@ impl Rules for GroundStatement {
         self.points.iter().flat_map(|(_, place)| place).for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         ground(scope, docs, &self.points);
     }
 

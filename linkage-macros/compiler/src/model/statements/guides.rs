@@ -50,8 +50,15 @@ impl Rules for GuideStatement {
         }
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], moves: bool) {
-        guide_line(scope, &self.name, self.on.as_ref(), &self.through, &self.course, moves);
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
+        guide_line(
+            scope,
+            &self.name,
+            self.on.as_ref(),
+            &self.through,
+            &self.course,
+            self.moves(scope),
+        );
     }
 
     fn stand_in(&self, scope: &mut Scope<'_>, _docs: &[Attribute], name: &Ident) -> Option<Entity> {
@@ -91,7 +98,7 @@ impl Rules for GuideStatement {
     }
 }
 
-pub(in crate::model) fn guide_line(
+fn guide_line(
     scope: &mut Scope<'_>,
     name: &Ident,
     on: Option<&Ident>,

@@ -1,5 +1,4 @@
-//! The numbers a declaration takes from outside or names for itself: inputs, parameters and named
-//! expressions.
+//! `input theta: angle;`: the numbers that drive a mechanism.
 
 use proc_macro2::Ident;
 use syn::Attribute;
@@ -22,7 +21,7 @@ impl Rules for InputStatement {
         format!("input {name}")
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         input(scope, docs, &self.names, self.kind.as_ref());
     }
 
@@ -38,12 +37,7 @@ impl Rules for InputStatement {
     }
 }
 
-pub(in crate::model) fn input(
-    scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    names: &[Ident],
-    kind: Option<&Ident>,
-) {
+fn input(scope: &mut Scope<'_>, docs: &[Attribute], names: &[Ident], kind: Option<&Ident>) {
     let dimension = kind.and_then(|kind| quantity_kind(scope, kind, "input kind", &KINDS));
     for name in names {
         let is_new = uses::name_is_new(scope, name).is_some();

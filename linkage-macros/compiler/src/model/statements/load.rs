@@ -25,7 +25,7 @@ impl Rules for LoadStatement {
         format!("load {name}")
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         load(scope, docs, &self.names, self.kind.as_ref());
     }
 
@@ -51,7 +51,7 @@ fn load(scope: &mut Scope<'_>, docs: &[Attribute], names: &[Ident], kind: Option
 }
 
 /// A load that each call is given, or the one that drives an input.
-pub(in crate::model) fn new_load(scope: &mut Scope<'_>, load: Load) -> Entity {
+fn new_load(scope: &mut Scope<'_>, load: Load) -> Entity {
     let dynamics = &mut scope.mechanism.dynamics;
     if scope.facts.driving.as_deref() == Some(&load.name.to_string()) && dynamics.pull.is_none() {
         dynamics.pull = Some(load);

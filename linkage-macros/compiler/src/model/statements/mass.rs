@@ -33,7 +33,7 @@ impl Rules for MassStatement {
         self.inertia.iter().for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let mass = mass(scope, &self.value, &self.on, &self.place, self.inertia.as_ref());
         scope.mechanism.dynamics.masses.extend(mass);
     }
@@ -72,7 +72,7 @@ impl Rules for InertiaStatement {
         f(&self.value);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let mass = inertia(scope, &self.value, &self.on);
         scope.mechanism.dynamics.masses.extend(mass);
     }
@@ -93,7 +93,7 @@ impl Rules for InertiaStatement {
 /// The inertia of a uniform bar.
 const OF_A_BAR: &str = "`uniform` means m l²/12";
 
-pub(in crate::model) fn mass(
+fn mass(
     scope: &mut Scope<'_>,
     value: &Expr,
     on: &Ident,
@@ -140,7 +140,7 @@ fn inertia_is_superfluous<T>(scope: &mut Scope<'_>, inertia: &Expr, reason: &str
     None
 }
 
-pub(in crate::model) fn inertia(scope: &mut Scope<'_>, value: &Expr, on: &Ident) -> Option<Mass> {
+fn inertia(scope: &mut Scope<'_>, value: &Expr, on: &Ident) -> Option<Mass> {
     let name = format!("inertia on {on}");
     let inertia = not_negative(scope, value, Dimension::INERTIA, "a moment of inertia", name);
     let place = MassPlace::At(uses::link(scope, on)?, [Scalar::zero(), Scalar::zero()]);

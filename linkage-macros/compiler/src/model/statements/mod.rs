@@ -27,16 +27,14 @@ pub(super) mod stop;
 pub(super) mod torque;
 pub(super) mod unknowns;
 
-use crate::model::frames_of_groups::FramesOfGroups;
-use crate::model::names::Entity;
-use crate::model::names::Kind;
-use crate::model::scope::Scope;
-use crate::syntax::tree::Action;
-use crate::syntax::tree::Expr;
-use crate::syntax::tree::Statement;
-use crate::syntax::tree::StatementKind;
 use proc_macro2::Ident;
 use syn::Attribute;
+
+use crate::syntax::tree::{Action, Expr, Statement, StatementKind};
+
+use crate::model::frames_of_groups::FramesOfGroups;
+use crate::model::names::{Entity, Kind};
+use crate::model::scope::Scope;
 
 /// Everything that the model asks of a kind of statement.
 pub(super) trait Rules {
@@ -59,9 +57,26 @@ pub(super) trait Rules {
     /// Calls `f` with every expression in it, from left to right.
     fn each_expression(&self, _f: &mut dyn FnMut(&Expr)) {}
 
-    /// Makes what the statement declares, and reports every mistake in it. `moves` is true if anything that it
-    /// uses does.
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], moves: bool);
+    /// Calls `f` with every name that it uses.
+    fn each_name(&self, f: &mut dyn FnMut(&Ident)) {
+        self.builds_on().into_iter().for_each(&mut *f);
+        self.each_expression(&mut |expr| expr.each_name(f));
+    }
+
+    /// True if it uses a name of which this is true.
+    fn uses(&self, scope: &Scope<'_>, asks: &dyn Fn(Entity) -> bool) -> bool {
+        let mut found = false;
+        self.each_name(&mut |name| found = found || scope.names.entity(name).is_some_and(asks));
+        found
+    }
+
+    /// True if what it makes moves: anything that it uses does.
+    fn moves(&self, scope: &Scope<'_>) -> bool {
+        self.uses(scope, &|entity| scope.facts.moves(entity))
+    }
+
+    /// Makes what the statement declares, and reports every mistake in it.
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]);
 
     /// The stand-in for one of its names where the statement was not understood.
     fn stand_in(

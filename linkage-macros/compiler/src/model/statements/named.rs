@@ -1,5 +1,4 @@
-//! Named expressions, and laws among them: those that read rates or loads, which stand in what acts
-//! and in outputs, and are refused where something is made of them.
+//! `let half = l / 2;`: named expressions, and laws among them, which read rates or loads.
 
 use proc_macro2::Ident;
 use syn::Attribute;
@@ -28,8 +27,8 @@ impl Rules for LetStatement {
         f(&self.value);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], moves: bool) {
-        named_expression(scope, &self.name, &self.value, moves);
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
+        named_expression(scope, &self.name, &self.value, self.moves(scope));
     }
 
     fn written(&self) -> String {
@@ -41,12 +40,7 @@ impl Rules for LetStatement {
     }
 }
 
-pub(in crate::model) fn named_expression(
-    scope: &mut Scope<'_>,
-    name: &Ident,
-    value: &Expr,
-    moves: bool,
-) {
+fn named_expression(scope: &mut Scope<'_>, name: &Ident, value: &Expr, moves: bool) {
     let is_new = uses::name_is_new(scope, name).is_some();
     // It is refused where it is used, if it does not stand there.
     let quantity = expressions::expression(scope, value, Allowed::IN_FORCES);

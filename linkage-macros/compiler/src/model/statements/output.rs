@@ -26,7 +26,7 @@ impl Rules for OutputStatement {
         self.items.iter().for_each(|item| f(&item.value));
     }
 
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
         // An output may name anything, wherever it stands: `outputs`.
     }
 

@@ -32,7 +32,7 @@ impl Rules for ParamStatement {
         f(&self.default);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         param(scope, docs, &self.name, self.kind.as_ref(), &self.default);
     }
 

@@ -24,7 +24,7 @@ impl Rules for PinStatement {
         self.points.iter().flat_map(|(_, place)| place).for_each(f);
     }
 
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {}
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {}
 
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let by_itself = declared::group_by_itself(scope, "pin", name);
@@ -54,7 +54,7 @@ impl Rules for LinkStatement {
         self.fields.iter().flat_map(GroupStatement::values).for_each(f);
     }
 
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {}
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {}
 
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let slides = !self.links.iter().find(|link| link.name == *name)?.on.is_empty();
@@ -80,7 +80,7 @@ impl Rules for DriveStatement {
         f(&self.value);
     }
 
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {}
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {}
 
     fn written(&self) -> String {
         String::new()

@@ -1,4 +1,4 @@
-//! Points of the ground, points of a link, driven points.
+//! `point P on BC at …;`: points of a link, and driven points.
 
 use proc_macro2::Ident;
 use syn::Attribute;
@@ -42,8 +42,8 @@ impl Rules for PointStatement {
         }
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], moves: bool) {
-        placed_point(scope, docs, &self.name, self.on.as_ref(), &self.place, moves);
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
+        placed_point(scope, docs, &self.name, self.on.as_ref(), &self.place, self.moves(scope));
     }
 
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
@@ -68,7 +68,7 @@ impl Rules for PointStatement {
     }
 }
 
-pub(in crate::model) fn placed_point(
+fn placed_point(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     name: &Ident,

@@ -11,7 +11,7 @@ use crate::model::scope::Scope;
 use crate::model::statements::Rules;
 
 impl Rules for NumericsStatement {
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         numerics(scope, &self.mode);
     }
 
@@ -21,7 +21,7 @@ impl Rules for NumericsStatement {
 }
 
 impl Rules for CrateStatement {
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         crate_path(scope, &self.path);
     }
 
@@ -32,7 +32,7 @@ impl Rules for CrateStatement {
 }
 
 impl Rules for ExportStatement {
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         export(scope, &self.language);
     }
 
@@ -42,7 +42,7 @@ impl Rules for ExportStatement {
 }
 
 /// The numerics are compensated or plain, and chosen once.
-pub(in crate::model) fn numerics(scope: &mut Scope<'_>, mode: &Ident) {
+fn numerics(scope: &mut Scope<'_>, mode: &Ident) {
     let chosen = match mode.to_string().as_str() {
         "compensated" => Numerics::Compensated,
         "fast" => {
@@ -65,7 +65,7 @@ pub(in crate::model) fn numerics(scope: &mut Scope<'_>, mode: &Ident) {
 }
 
 /// The path of `linkage-core` is given once.
-pub(in crate::model) fn crate_path(scope: &mut Scope<'_>, path: &syn::Path) {
+fn crate_path(scope: &mut Scope<'_>, path: &syn::Path) {
     if scope.mechanism.crate_path.is_some() {
         scope.diagnostics.error(path.span(), "`crate` is given twice; remove one");
         return;
@@ -74,7 +74,7 @@ pub(in crate::model) fn crate_path(scope: &mut Scope<'_>, path: &syn::Path) {
 }
 
 /// The only language to export to is C.
-pub(in crate::model) fn export(scope: &mut Scope<'_>, language: &Ident) {
+fn export(scope: &mut Scope<'_>, language: &Ident) {
     if language != "c" {
         let message = format!("no export named `{language}`; write `export c;`");
         scope.diagnostics.error(language.span(), message);

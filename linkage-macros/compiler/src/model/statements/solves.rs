@@ -36,7 +36,7 @@ impl Rules for Solve {
         self.equation.iter().flatten().chain(&self.near).for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         solve(scope, self);
     }
 
@@ -54,7 +54,7 @@ impl Rules for Solve {
     }
 }
 
-pub(in crate::model) fn solve(scope: &mut Scope<'_>, solve: &Solve) {
+fn solve(scope: &mut Scope<'_>, solve: &Solve) {
     let unknown = unknown_to_solve(scope, &solve.unknown);
     let equation = equation(scope, solve, unknown.is_some());
     let mode = trend(scope, solve);

@@ -59,7 +59,7 @@ impl Rules for SpringStatement {
         self.fields.values().for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         spring(scope, docs, &self.name, &self.ends, &self.fields);
     }
 
@@ -89,7 +89,7 @@ impl Rules for SpringStatement {
     }
 }
 
-pub(in crate::model) fn spring(
+fn spring(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     name: &Option<Ident>,
@@ -111,7 +111,7 @@ pub(in crate::model) fn spring(
 }
 
 /// True if one of the ends is a body: the other should then be one, too.
-pub(in crate::model) fn is_between_bodies(scope: &Scope<'_>, ends: &[Ident; 2]) -> bool {
+fn is_between_bodies(scope: &Scope<'_>, ends: &[Ident; 2]) -> bool {
     ends.iter().any(|end| end == "ground" || scope.names.kind(end) == Some(Kind::Link))
 }
 

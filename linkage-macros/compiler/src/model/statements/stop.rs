@@ -42,7 +42,7 @@ impl Rules for StopStatement {
         self.ends.iter().chain(self.fields.values()).for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         stop(scope, docs, self);
     }
 
@@ -71,7 +71,7 @@ impl Rules for StopStatement {
     }
 }
 
-pub(in crate::model) fn stop(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) {
+fn stop(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) {
     let name = &written.name;
     let is_new = name.as_ref().is_none_or(|name| uses::name_is_new(scope, name).is_some());
     let stop = stop_of(scope, docs, written);

@@ -21,7 +21,7 @@ impl Rules for TorqueStatement {
         f(&self.value);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let on = uses::link(scope, &self.on).map(Carrier::Link);
         let value = acts::acting(scope, &self.value, Dimension::TORQUE);
         scope.mechanism.dynamics.torques.extend(torque(on, None, value));
@@ -49,7 +49,7 @@ impl Rules for TorqueBetweenStatement {
         f(&self.value);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let torque = torque_between(scope, &self.value, &self.bodies);
         scope.mechanism.dynamics.torques.extend(torque);
     }

@@ -35,7 +35,7 @@ impl Rules for UnknownStatement {
         self.between.iter().flatten().for_each(f);
     }
 
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute], _moves: bool) {
+    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         unknown(scope, docs, &self.name, self.kind.as_ref(), self.between.as_ref());
     }
 
@@ -45,7 +45,7 @@ impl Rules for UnknownStatement {
     }
 }
 
-pub(in crate::model) fn unknown(
+fn unknown(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     name: &Ident,

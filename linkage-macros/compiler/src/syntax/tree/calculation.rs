@@ -63,6 +63,15 @@ impl Expr {
         self.parts().for_each(|part| part.each_part(f));
     }
 
+    /// Calls `f` with every name in the expression.
+    pub(crate) fn each_name(&self, f: &mut dyn FnMut(&Ident)) {
+        self.each_part(&mut |part| match &part.kind {
+            ExprKind::Name(name) | ExprKind::Member(name, _) => f(name),
+            ExprKind::Part(path) => path[..2].iter().for_each(&mut *f),
+            _ => {}
+        });
+    }
+
     /// The expression with each part that the function gives another for replaced by that, outer parts
     /// first; what is given is not looked into.
     pub(crate) fn replaced(&self, by: &impl Fn(&Self) -> Option<Self>) -> Self {
