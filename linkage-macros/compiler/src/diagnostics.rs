@@ -8,10 +8,21 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 #[cfg(test)]
 pub(crate) use told::told;
 
-/// A mistake in a declaration, and the tokens that made it.
+/// The gravity of a diagnostic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// A mistake: there is no solver.
+    Mistake,
+    /// A remark on a solver that is complete.
+    Note,
+}
+
+/// A mistake in a declaration or a remark on it, and the tokens that it is about.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Diagnostic {
+    /// The gravity.
+    pub level: Level,
     /// One line that says what to do.
     pub message: String,
     /// The reason, or the nearest name.
@@ -24,8 +35,8 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    fn new(at: Extent, message: String, note: Option<String>) -> Self {
-        Self { message, note, first: at.first, last: at.last }
+    fn new(level: Level, at: Extent, message: String, note: Option<String>) -> Self {
+        Self { level, message, note, first: at.first, last: at.last }
     }
 
     /// The mistakes that `syn` found.
@@ -39,7 +50,8 @@ impl Diagnostic {
             // Only the tokens of an error tell where it ends.
             let tokens: Vec<_> = error.into_compile_error().into_iter().collect();
             let [first, .., last] = &tokens[..] else { unreachable!("an error is several tokens") };
-            Self::new(Extent::between(first.span(), last.span()), message, note)
+            let at = Extent::between(first.span(), last.span());
+            Self::new(Level::Mistake, at, message, note)
         })
     }
 
@@ -56,9 +68,10 @@ impl Diagnostic {
     }
 }
 
-/// The mistakes found so far. Dropping it without asking is a bug of the compiler, so it panics.
+/// The mistakes and notes found so far. Dropping it without asking is a bug of the compiler, so it panics.
 pub(crate) struct Diagnostics {
     mistakes: Vec<Diagnostic>,
+    notes: Vec<Diagnostic>,
     asked: bool,
 }
 
@@ -92,7 +105,7 @@ pub(crate) struct Failure(pub Vec<Diagnostic>);
 
 impl Diagnostics {
     pub(crate) fn new() -> Self {
-        Self { mistakes: Vec::new(), asked: false }
+        Self { mistakes: Vec::new(), notes: Vec::new(), asked: false }
     }
 
     /// Takes back what was reported after so many mistakes.
@@ -102,7 +115,8 @@ impl Diagnostics {
 
     /// Reports a mistake at the tokens that made it: one line that says what to do.
     pub(crate) fn error(&mut self, at: impl Into<Extent>, message: impl std::fmt::Display) {
-        self.mistakes.push(Diagnostic::new(at.into(), message.to_string(), None));
+        let mistake = Diagnostic::new(Level::Mistake, at.into(), message.to_string(), None);
+        self.mistakes.push(mistake);
     }
 
     /// Reports a mistake whose second line carries the reason or the nearest name.
@@ -113,7 +127,32 @@ impl Diagnostics {
         reason: impl std::fmt::Display,
     ) {
         let note = Some(reason.to_string());
-        self.mistakes.push(Diagnostic::new(at.into(), message.to_string(), note));
+        let mistake = Diagnostic::new(Level::Mistake, at.into(), message.to_string(), note);
+        self.mistakes.push(mistake);
+    }
+
+    /// Notes what is no mistake, with a second line that says what to do. The same note twice is one.
+    #[cfg_attr(not(test), expect(dead_code, reason = "nothing is noted yet"))]
+    pub(crate) fn note_because(
+        &mut self,
+        at: impl Into<Extent>,
+        message: impl std::fmt::Display,
+        reason: impl std::fmt::Display,
+    ) {
+        let why = Some(reason.to_string());
+        let note = Diagnostic::new(Level::Note, at.into(), message.to_string(), why);
+        let is_same = |other: &Diagnostic| {
+            place(other.first) == place(note.first) && other.text() == note.text()
+        };
+        if !self.notes.iter().any(is_same) {
+            self.notes.push(note);
+        }
+    }
+
+    /// The notes so far, in the order of the source.
+    pub(crate) fn take_notes(&mut self) -> Vec<Diagnostic> {
+        self.notes.sort_by_cached_key(|note| place(note.first));
+        std::mem::take(&mut self.notes)
     }
 
     /// Takes over a mistake that `syn` found.
@@ -229,6 +268,21 @@ mod tests {
         assert_eq!(diagnostics.count(), 3);
         let failure = diagnostics.finish().expect_err("three mistakes were reported");
         assert_eq!(messages(failure), ["first", "second\nits reason", "third"]);
+    }
+
+    #[test]
+    fn a_note_is_no_mistake_and_is_told_once_in_the_order_of_the_source() {
+        let tokens: TokenStream = "a\nb".parse().expect("these are tokens");
+        let mut diagnostics = Diagnostics::new();
+        for tree in tokens.into_iter().collect::<Vec<_>>().into_iter().rev() {
+            diagnostics.note_because(tree.span(), &tree, "why");
+            diagnostics.note_because(tree.span(), &tree, "why");
+        }
+        assert!(diagnostics.barrier().is_ok() && diagnostics.count() == 0);
+        let notes = diagnostics.take_notes();
+        assert!(notes.iter().all(|note| note.level == Level::Note));
+        assert_eq!(messages(Failure(notes)), ["a\nwhy", "b\nwhy"]);
+        assert!(diagnostics.finish().is_ok());
     }
 
     #[test]

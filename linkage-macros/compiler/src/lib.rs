@@ -80,5 +80,5 @@ mod reach;
 mod syntax;
 
 pub use blocks::declarations;
-pub use diagnostics::Diagnostic;
+pub use diagnostics::{Diagnostic, Level};
 pub use pipeline::{File, Options, Output, c, compile, fmu};

@@ -44,6 +44,8 @@ pub struct Output {
     pub tokens: TokenStream,
     /// The mistakes in the order of the source; none where the solver is complete.
     pub diagnostics: Vec<Diagnostic>,
+    /// The remarks on a complete solver, in the order of the source. They are no part of the tokens.
+    pub notes: Vec<Diagnostic>,
 }
 
 /// Compiles the declaration of a mechanism, the tokens between the braces of `mechanism! { … }`.
@@ -60,20 +62,21 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     let _atoms = AtomScope::begin();
     let mut diagnostics = Diagnostics::new();
     let (declaration, resolved) = read(source.clone(), &mut diagnostics);
+    let notes = diagnostics.take_notes();
     match (resolved, diagnostics.finish()) {
         (Some(Ok(mechanism)), Ok(())) => {
             let placing = options.sketch.then(|| placing(&mechanism));
             let text = options.page.then(|| text(&source));
             let drawn = placing.as_ref().map(|program| (program, text.as_deref()));
             let tokens = code(&mechanism, &program(&mechanism), drawn, options);
-            Output { tokens, diagnostics: Vec::new() }
+            Output { tokens, diagnostics: Vec::new(), notes }
         }
         (resolved, Err(Failure(diagnostics))) => {
             let errors = diagnostics.iter().map(Diagnostic::compile_error);
             let understood = declaration.as_ref().zip(resolved.and_then(Result::err));
             let stub = understood
                 .map(|(declaration, Stub(mechanism))| stub(declaration, &mechanism, options));
-            Output { tokens: errors.chain(stub).collect(), diagnostics }
+            Output { tokens: errors.chain(stub).collect(), diagnostics, notes: Vec::new() }
         }
         (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
     }

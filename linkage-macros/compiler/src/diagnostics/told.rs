@@ -105,7 +105,8 @@ fn a_place_is_told_apart_from_all_others() {
         (Span::call_site(), Span::call_site(), "the call"),
     ] {
         let (message, note) = ("here".to_string(), Some("why".to_string()));
-        let mistakes = [Diagnostic { message, note, first, last }];
+        let level = super::Level::Mistake;
+        let mistakes = [Diagnostic { level, message, note, first, last }];
         assert_eq!(told(&mistakes, SOURCE, row.clone()), format!("{place}: here / why"));
     }
 }
