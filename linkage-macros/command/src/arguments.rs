@@ -5,6 +5,16 @@ use std::path::PathBuf;
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
+/// The flags that verbs have in common.
+const FLAGS: &str = "\
+Wherever they apply:
+  -o PATH                what is written: a folder where several files come, a file otherwise
+  --machine NAME         one mechanism of several
+  --set crank=90mm       another value of a parameter than the declared one
+  --only ENTRY,WIDTH,…   fewer entry points and widths, such as motion_at,f32
+  --json                 what is told, as JSON
+  --stale                write nothing, and end with status 1 where what stands there is not what would be written";
+
 /// The compiler of planar mechanisms: from drivers and Assur groups to static solvers.
 ///
 /// A mechanism is declared by `mechanism! { … }` in a Rust file, which may hold a whole program and several mechanisms;
@@ -15,8 +25,11 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 ///     linkage export c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
 ///     cc -std=c99 -O2 -c control/*.c
 ///     linkage export fmu press.rs -o press.fmu    a model for simulators, FMI 3.0
+///
+/// The exit status is 0, 1 where a mechanism has a mistake or a file is stale, or 2 where the arguments or a file cannot be
+/// used.
 #[derive(Debug, Parser)]
-#[command(name = "linkage", version, verbatim_doc_comment, arg_required_else_help = true)]
+#[command(name = "linkage", version, verbatim_doc_comment, arg_required_else_help = true, after_help = FLAGS)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
@@ -46,14 +59,14 @@ pub(crate) fn parsed() -> Arguments {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Say what is wrong with the declarations of some files
-    Check {
-        /// Rust programs, or declarations
-        #[arg(required = true, value_name = "FILE")]
-        files: Vec<PathBuf>,
-        /// The mechanism to check; all of them without this
-        #[arg(long, value_name = "NAME")]
-        machine: Option<String>,
-    },
+    ///
+    /// A line says how many mistakes there are; where there is none, the exit status is 0. Notes are about mechanisms
+    /// that have a solver: they change no status. With NO_COLOR there are no colours.
+    ///
+    ///     linkage check shear.rs press.rs
+    ///     linkage check shear.rs --set crank=90mm --json
+    #[command(verbatim_doc_comment)]
+    Check(Check),
     /// Print a machine of PMKS+, pyslvs or pylinkage as a declaration
     ///
     ///     linkage import 'https://app.pmksplus.com/?2P.Fe.K,0.1011.MA,A,0,0,0…' -o machine.rs
@@ -86,14 +99,47 @@ pub(crate) enum Command {
     Export(Export),
 }
 
+/// The mechanisms of a file that are taken, and their parameters.
+#[derive(Debug, Args)]
+pub(crate) struct Chosen {
+    /// The mechanism to take; all of them without this
+    #[arg(long, value_name = "NAME")]
+    pub machine: Option<String>,
+    /// Another value of a parameter than the declared one, as in the language: crank=90mm
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// Where a text or files go.
+#[derive(Debug, Args)]
+pub(crate) struct Target {
+    /// The path to write: a folder where several files come, a file otherwise. Without this a single text goes to standard
+    /// output, and files go beside the source
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<PathBuf>,
+    /// Write nothing, and end with status 1 where what stands there is not what would be written
+    #[arg(long)]
+    pub stale: bool,
+}
+
+/// The arguments of `check`.
+#[derive(Debug, Args)]
+pub(crate) struct Check {
+    /// Rust programs, or declarations
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub chosen: Chosen,
+    /// Print mistakes and notes as JSON: a list of mechanisms, each with its messages
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// The arguments of `import`.
 #[derive(Debug, Args)]
 pub(crate) struct Import {
     /// An address of PMKS+, or a file with an address, a pyslvs expression or pylinkage's JSON; `-` is standard input
     pub source: String,
-    /// The file to write; without this, standard output
-    #[arg(short, long, value_name = "PATH")]
-    pub output: Option<PathBuf>,
     /// The name of the mechanism
     #[arg(long)]
     pub name: Option<String>,
@@ -104,9 +150,8 @@ pub(crate) struct Import {
     /// twice: its block is slid
     #[arg(long, value_name = "I,J")]
     pub drive: Vec<String>,
-    /// Write nothing, and end with status 1 where what stands there is not what would be written
-    #[arg(long)]
-    pub stale: bool,
+    #[command(flatten)]
+    pub target: Target,
 }
 
 /// The arguments of `export`.
@@ -117,19 +162,13 @@ pub(crate) struct Export {
     pub format: Format,
     /// A Rust program, or a declaration
     pub file: PathBuf,
-    /// The folder for c, the file for fmu and rust. Without this, c and fmu go beside the source, and rust goes to
-    /// standard output
-    #[arg(short, long, value_name = "PATH")]
-    pub output: Option<PathBuf>,
-    /// The mechanism to print; all of them without this
-    #[arg(long, value_name = "NAME")]
-    pub machine: Option<String>,
+    #[command(flatten)]
+    pub chosen: Chosen,
+    #[command(flatten)]
+    pub target: Target,
     /// For c: entry points and widths to print, such as motion_at,f32; all of them without this
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    #[arg(long, value_name = "ENTRY,WIDTH,…", value_delimiter = ',')]
     pub only: Vec<String>,
-    /// Write nothing, and end with status 1 where what stands there is not what would be written
-    #[arg(long)]
-    pub stale: bool,
     /// For fmu: take inputs and their rates as given, whatever has mass
     #[arg(long)]
     pub kinematic: bool,
@@ -141,4 +180,12 @@ pub(crate) enum Format {
     C,
     Fmu,
     Rust,
+}
+
+impl Format {
+    /// The word that is typed.
+    pub(crate) fn word(self) -> String {
+        let value = self.to_possible_value();
+        value.map(|value| value.get_name().to_string()).unwrap_or_default()
+    }
 }

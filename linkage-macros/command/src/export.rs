@@ -11,39 +11,41 @@ use crate::output::{self, Failure};
 use crate::program::Program;
 
 pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
-    let belongs = |flag, format| {
-        Failure::Unusable(format!("`{flag}` belongs to `export {format}`: leave it out here"))
-    };
-    if !arguments.only.is_empty() && arguments.format != Format::C {
-        return Err(belongs("--only", "c"));
+    // The flags that some formats alone have.
+    let flags: [(&str, bool, &[Format]); 2] = [
+        ("--only", !arguments.only.is_empty(), &[Format::C]),
+        ("--kinematic", arguments.kinematic, &[Format::Fmu]),
+    ];
+    let own = |formats: &[Format]| formats.contains(&arguments.format);
+    if let Some((flag, _, formats)) =
+        flags.iter().find(|(_, given, formats)| *given && !own(formats))
+    {
+        let formats: Vec<_> =
+            formats.iter().map(|format| format!("`export {}`", format.word())).collect();
+        let why = format!("`{flag}` belongs to {}: leave it out here", formats.join(" and "));
+        return Err(Failure::Unusable(why));
     }
-    if arguments.kinematic && arguments.format != Format::Fmu {
-        return Err(belongs("--kinematic", "fmu"));
-    }
+    let program = Program::read(&arguments.file, &arguments.chosen)?;
     match arguments.format {
-        Format::C => c(arguments),
-        Format::Fmu => fmu(arguments),
-        Format::Rust => rust(arguments),
+        Format::C => c(arguments, &program),
+        Format::Fmu => fmu(arguments, &program),
+        Format::Rust => rust(arguments, &program),
     }
 }
 
 /// Writes the C of all declarations into a folder, or of none.
-fn c(arguments: &Export) -> Result<(), Failure> {
-    let program = Program::read(&arguments.file)?;
+fn c(arguments: &Export, program: &Program) -> Result<(), Failure> {
     let only: Vec<&str> = arguments.only.iter().map(String::as_str).collect();
-    let printed = program
-        .all(arguments.machine.as_deref(), |declaration| linkage_compiler::c(declaration, &only))?;
+    let printed = program.all(|declaration| linkage_compiler::c(declaration, &only))?;
     let beside = || arguments.file.parent().unwrap_or(Path::new("")).to_path_buf();
-    let folder = arguments.output.clone().unwrap_or_else(beside);
-    output::files(&folder, printed.into_iter().flatten(), arguments.stale)
+    let folder = arguments.target.output.clone().unwrap_or_else(beside);
+    output::files(&folder, printed.into_iter().flatten(), arguments.target.stale)
 }
 
 /// Writes the FMU of the only mechanism of a file, or of the chosen one.
-fn fmu(arguments: &Export) -> Result<(), Failure> {
-    let program = Program::read(&arguments.file)?;
-    let printed = program.all(arguments.machine.as_deref(), |declaration| {
-        linkage_compiler::fmu(declaration, arguments.kinematic)
-    })?;
+fn fmu(arguments: &Export, program: &Program) -> Result<(), Failure> {
+    let printed =
+        program.all(|declaration| linkage_compiler::fmu(declaration, arguments.kinematic))?;
     let [files] = <[Vec<File>; 1]>::try_from(printed).map_err(|several| {
         Failure::Unusable(format!(
             "`{}` holds {} mechanisms, and an FMU is one: choose it by `--machine NAME`",
@@ -51,21 +53,21 @@ fn fmu(arguments: &Export) -> Result<(), Failure> {
             several.len()
         ))
     })?;
-    let path = arguments.output.clone().unwrap_or_else(|| arguments.file.with_extension("fmu"));
-    fmu::write(&path, files, arguments.stale)
+    let beside = || arguments.file.with_extension("fmu");
+    let path = arguments.target.output.clone().unwrap_or_else(beside);
+    fmu::write(&path, files, arguments.target.stale)
 }
 
 /// Prints what each declaration expands to.
-fn rust(arguments: &Export) -> Result<(), Failure> {
-    let program = Program::read(&arguments.file)?;
+fn rust(arguments: &Export, program: &Program) -> Result<(), Failure> {
     let compiled = |declaration: TokenStream| {
         let output = compile(declaration, &Options::default());
         if output.diagnostics.is_empty() { Ok(output.tokens) } else { Err(output.diagnostics) }
     };
     let mut text = String::new();
-    for tokens in program.all(arguments.machine.as_deref(), compiled)? {
+    for tokens in program.all(compiled)? {
         let parsed = syn::parse2(tokens).expect("what is generated is code");
         text.push_str(&prettyplease::unparse(&parsed));
     }
-    output::text(arguments.output.as_deref(), &text, arguments.stale)
+    output::text(arguments.target.output.as_deref(), &text, arguments.target.stale)
 }

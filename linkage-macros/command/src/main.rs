@@ -4,29 +4,29 @@
 //! or a file cannot be used.
 
 mod arguments;
+mod check;
 mod export;
 mod fmu;
 mod import;
 mod messages;
 mod output;
+mod parameters;
 mod program;
+mod report;
+mod style;
 mod zip;
 
-use std::path::PathBuf;
 use std::process::ExitCode;
-
-use linkage_compiler::{Options, compile};
 
 use crate::arguments::Command;
 use crate::output::Failure;
-use crate::program::Program;
 
 fn main() -> ExitCode {
     match run(arguments::parsed().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure::Told) => ExitCode::from(1),
         Err(Failure::Unusable(why)) => {
-            eprintln!("error: {why}");
+            style::tell(&why);
             ExitCode::from(2)
         }
     }
@@ -34,21 +34,8 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<(), Failure> {
     match command {
-        Command::Check { files, machine } => check(&files, machine.as_deref()),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
     }
-}
-
-fn check(files: &[PathBuf], machine: Option<&str>) -> Result<(), Failure> {
-    let mut is_clean = true;
-    for file in files {
-        let program = Program::read(file)?;
-        for declaration in program.declarations(machine)? {
-            let found = compile(declaration, &Options::default()).diagnostics;
-            is_clean &= found.is_empty();
-            program.report(&found);
-        }
-    }
-    if is_clean { Ok(()) } else { Err(Failure::Told) }
 }

@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 
 use linkage_compiler::File;
 
+use crate::style;
+
 /// The reason why nothing was done.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -81,7 +83,7 @@ pub(crate) fn is_fresh(path: &Path, passes: impl Fn(&[u8]) -> bool) -> bool {
         Err(error) if error.kind() == ErrorKind::NotFound => "is stale: it is not there".into(),
         Err(error) => format!("cannot be read: {error}"),
     };
-    eprintln!("error: `{}` {why}", path.display());
+    style::tell(&format!("`{}` {why}", path.display()));
     false
 }
 

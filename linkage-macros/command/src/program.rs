@@ -4,25 +4,55 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use linkage_compiler::{Diagnostic, declarations};
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
-use crate::messages;
+use crate::arguments::Chosen;
+use crate::messages::Place;
 use crate::output::Failure;
+use crate::parameters::{self, Setting};
+use crate::report::Report;
 
 /// A Rust program, or a declaration alone.
 pub(crate) struct Program {
-    path: PathBuf,
+    pub path: PathBuf,
     text: String,
+    machine: Option<String>,
+    settings: Vec<Setting>,
+}
+
+/// The tokens between the braces of `mechanism! { … }`.
+pub(crate) struct Declaration {
+    /// The word behind `struct`.
+    pub name: Option<Ident>,
+    pub tokens: TokenStream,
 }
 
 impl Program {
-    pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
+    pub(crate) fn read(path: &Path, chosen: &Chosen) -> Result<Self, Failure> {
+        let settings =
+            chosen.set.iter().map(|text| Setting::read(text)).collect::<Result<_, _>>()?;
         let text = fs::read_to_string(path).map_err(Failure::of(path))?;
-        Ok(Self { path: path.to_path_buf(), text })
+        Ok(Self { path: path.to_path_buf(), text, machine: chosen.machine.clone(), settings })
     }
 
-    /// The declarations, or the one of this name. There is at least one.
-    pub(crate) fn declarations(&self, machine: Option<&str>) -> Result<Vec<TokenStream>, Failure> {
+    /// The declarations, or the chosen one, with parameters as they are set. There is at least one.
+    pub(crate) fn declarations(&self) -> Result<Vec<Declaration>, Failure> {
+        let mut found = self.found()?;
+        if let Some(machine) = &self.machine {
+            let names: Vec<_> = found.iter().map(Declaration::name).collect();
+            let there_are = names.join(", ");
+            found.retain(|declaration| declaration.name() == *machine);
+            if found.is_empty() {
+                let path = self.path.display();
+                let why = format!("`{path}` holds no mechanism `{machine}`; there are {there_are}");
+                return Err(Failure::Unusable(why));
+            }
+        }
+        parameters::set(&mut found, &self.settings)?;
+        Ok(found)
+    }
+
+    fn found(&self) -> Result<Vec<Declaration>, Failure> {
         let tokens: TokenStream = self.text.parse().map_err(|error: proc_macro2::LexError| {
             let at = error.span().start();
             let place = format!("{}:{}:{}", self.path.display(), at.line, at.column + 1);
@@ -39,43 +69,49 @@ impl Program {
             );
             return Err(Failure::Unusable(why));
         }
-        let Some(machine) = machine else { return Ok(found) };
-        let names: Vec<String> = found.iter().filter_map(name).collect();
-        found.retain(|declaration| name(declaration).is_some_and(|name| name == machine));
-        match found.is_empty() {
-            false => Ok(found),
-            true => Err(Failure::Unusable(format!(
-                "`{}` holds no mechanism `{machine}`; there are {}",
-                self.path.display(),
-                names.join(", ")
-            ))),
-        }
+        Ok(found.into_iter().map(|tokens| Declaration { name: name(&tokens), tokens }).collect())
     }
 
-    /// The results of the declarations where none has a mistake; otherwise all mistakes are reported.
+    /// The results of the declarations where none has a mistake; otherwise all mistakes are told.
     pub(crate) fn all<T>(
         &self,
-        machine: Option<&str>,
         make: impl Fn(TokenStream) -> Result<T, Vec<Diagnostic>>,
     ) -> Result<Vec<T>, Failure> {
-        let (mut made, mut is_clean) = (Vec::new(), true);
-        for declaration in self.declarations(machine)? {
-            match make(declaration) {
+        let (mut made, mut report) = (Vec::new(), Report::default());
+        for declaration in self.declarations()? {
+            match make(declaration.tokens.clone()) {
                 Ok(one) => made.push(one),
-                Err(found) => {
-                    is_clean = false;
-                    self.report(&found);
-                }
+                Err(found) => report.tell(self, &declaration, &found),
             }
         }
-        if is_clean { Ok(made) } else { Err(Failure::Told) }
+        report.close()?;
+        Ok(made)
     }
 
-    /// Writes mistakes to the standard error output.
-    pub(crate) fn report(&self, mistakes: &[Diagnostic]) {
-        for mistake in mistakes {
-            eprintln!("{}", messages::text(mistake, &self.path, &self.text));
+    /// The tokens of a message in the file, or in the value of a parameter that is set. What is about a whole
+    /// declaration is told at its name.
+    pub(crate) fn place(&self, declaration: &Declaration, found: &Diagnostic) -> Place<'_> {
+        let (mut first, mut last) = (found.first, found.last);
+        if first.byte_range().is_empty() {
+            first = declaration.name.as_ref().map_or(Span::call_site(), Ident::span);
+            last = first;
         }
+        if last.file() != first.file() {
+            last = first;
+        }
+        let is_own = |setting: &&Setting| setting.holds(first);
+        let (name, text) = match self.settings.iter().find(is_own) {
+            Some(setting) => ("--set".to_string(), &setting.text),
+            None => (self.path.display().to_string(), &self.text),
+        };
+        Place { name, text, from: first.start(), to: last.end() }
+    }
+}
+
+impl Declaration {
+    /// The name as it is written; empty where there is none.
+    pub(crate) fn name(&self) -> String {
+        self.name.as_ref().map(Ident::to_string).unwrap_or_default()
     }
 }
 
@@ -93,8 +129,11 @@ fn is_declaration(tokens: &TokenStream) -> bool {
 }
 
 /// The name of a declaration: the word behind `struct`.
-fn name(declaration: &TokenStream) -> Option<String> {
+fn name(declaration: &TokenStream) -> Option<Ident> {
     let mut trees = declaration.clone().into_iter();
     trees.by_ref().find(|tree| matches!(tree, TokenTree::Ident(word) if word == "struct"))?;
-    trees.next().map(|tree| tree.to_string())
+    match trees.next() {
+        Some(TokenTree::Ident(name)) => Some(name),
+        _ => None,
+    }
 }

@@ -26,6 +26,7 @@ use drawing::Drawing;
 
 use crate::arguments::Import;
 use crate::output::{self, Failure};
+use crate::style;
 
 /// The reason why a machine cannot be read or has no declaration.
 type Mistake = String;
@@ -34,9 +35,9 @@ pub(crate) fn run(arguments: &Import) -> Result<(), Failure> {
     let text = text(&arguments.source)?;
     let text = text.trim();
     match declaration(text, arguments) {
-        Ok(text) => output::text(arguments.output.as_deref(), &text, arguments.stale),
+        Ok(text) => output::text(arguments.target.output.as_deref(), &text, arguments.target.stale),
         Err(mistake) => {
-            eprintln!("error: {mistake}");
+            style::tell(&mistake);
             Err(Failure::Told)
         }
     }

@@ -1,5 +1,7 @@
 //! The program as it is called.
 
+mod told;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -48,57 +50,6 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Every file whose mistakes the compiler reports inside rustc, with the messages that rustc shows. Some have
-/// mistakes of another kind: calls that do not fit, and what is not even Rust. Of a path in a statement, rustc
-/// underlines the first token alone, and of a whole call only rustc knows the place.
-#[test]
-fn messages_are_those_of_rustc() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linkage-core");
-    let mut files = Vec::new();
-    for room in fs::read_dir(root.join("tests/ui")).expect("the folder is there") {
-        let room = room.expect("it can be read").path();
-        if room.is_dir() && !room.ends_with("calls") {
-            let entries = fs::read_dir(&room).expect("it can be read");
-            files.extend(entries.map(|entry| entry.expect("it can be read").path()));
-        }
-    }
-    files.retain(|file| {
-        file.extension().is_some_and(|extension| extension == "stderr")
-            && !file.ends_with("outputs/crate_given_twice.stderr")
-    });
-    files.sort();
-    let is_of_rustc = |text: &str| {
-        text.contains("error[")
-            || text.contains("unknown start of token")
-            || text.contains("prefix `")
-            || text.contains("originates in the macro")
-    };
-    let (mut names, mut expected) = (Vec::new(), Vec::new());
-    for file in files {
-        let messages = fs::read_to_string(&file).expect("it can be read");
-        if is_of_rustc(&messages) {
-            continue;
-        }
-        let source = file.with_extension("rs");
-        names.push(source.strip_prefix(&root).expect("it stands there").display().to_string());
-        expected.push(messages.trim().to_string());
-    }
-    assert!(names.len() > 60);
-    let mut arguments = vec!["check"];
-    arguments.extend(names.iter().map(String::as_str));
-    let output = linkage(&arguments, &root);
-    assert_eq!(output.status.code(), Some(1));
-    let plain = |text: &str| {
-        let lines = text.lines().map(str::trim_end).filter(|line| !line.is_empty());
-        lines.map(str::to_string).collect::<Vec<_>>()
-    };
-    let (found, expected) = (plain(&text(&output.stderr)), plain(&expected.join("\n")));
-    for (at, (found, expected)) in found.iter().zip(&expected).enumerate() {
-        assert_eq!(found, expected, "line {at}");
-    }
-    assert_eq!(found.len(), expected.len());
-}
-
 #[test]
 fn the_exit_status_tells_a_mistake_from_a_file_that_is_none() {
     let mistaken = SHEAR.replace("80mm", "80kg");
@@ -114,6 +65,7 @@ fn the_exit_status_tells_a_mistake_from_a_file_that_is_none() {
     for (arguments, status, words) in [
         (&["check", "shear.rs"][..], 0, ""),
         (&["check", "shear.rs", "mistaken.rs"], 1, " --> mistaken.rs:8:36"),
+        (&["check", "mistaken.rs", "none.rs"], 2, "`none.rs`: "),
         (&["check", "empty.rs"], 2, "holds no `mechanism! { … }`"),
         (&["check", "no.rs"], 2, "no.rs:1:1: this is not a Rust program"),
         (&["check", "none.rs"], 2, "`none.rs`: "),
@@ -132,12 +84,15 @@ fn the_exit_status_tells_a_mistake_from_a_file_that_is_none() {
         (&["export", "rust", "shear.rs", "--stale"], 2, "name it by `-o PATH`"),
         (&["export", "fmu", "shear.rs"], 2, "choose it by `--machine NAME`"),
         (&["check", "shear.rs", "--machine", "Crnk"], 2, "there are FlyingShear, Crank"),
+        (&["check", "shear.rs", "-o", "out"], 2, "'-o'"),
+        (&["export", "c", "shear.rs", "--json"], 2, "'--json'"),
     ] {
         let output = linkage(arguments, &folder);
         let errors = text(&output.stderr);
         assert_eq!(output.status.code(), Some(status), "{arguments:?}: {errors}");
         assert!(errors.contains(words), "{arguments:?}: {errors}");
         assert!(status != 0 || errors.is_empty(), "{errors}");
+        assert!(status == 0 || output.stdout.is_empty(), "{arguments:?}");
     }
     assert!(!folder.join("out").exists(), "a file with a mistake is not printed");
 }
