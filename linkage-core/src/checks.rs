@@ -3,7 +3,7 @@
 //! A group's formulas hold under conditions: circles of radii l₁ and l₂ must meet, a divisor must
 //! not be zero, a length must be positive, an angle must be small enough for the quick reduction
 //! of sines. Generated code contains the formulas once, as a function of a [`Checks`], which it calls
-//! at every condition. There are two kinds:
+//! at every condition. There are two kinds, and a third for margins alone ([`Behind`]):
 //!
 //! - [`AllMet`], on the **fast path**, compares one number with a threshold and goes on, whatever
 //!   comes of it. There is no branch, so that a loop over poses becomes one over vectors. In the
@@ -29,8 +29,11 @@
 //!   threshold cannot make anything overflow, and then these are asked, which are there early.
 
 mod all_met;
+mod behind;
 
 pub use all_met::AllMet;
+pub use behind::Behind;
+pub(crate) use behind::has_no_pose;
 
 use crate::diagnosis::{self, Diagnosis};
 use crate::friction::Amounts;

@@ -18,7 +18,7 @@ pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
 pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
-pub use crate::checks::{AllMet, Checks, FirstError};
+pub use crate::checks::{AllMet, Behind, Checks, FirstError};
 pub use crate::clearance::{Clearance, told};
 pub use crate::crossing::Trend;
 #[cfg(feature = "ad")]
@@ -40,7 +40,7 @@ pub use crate::sketch::{
 };
 #[cfg(feature = "page")]
 pub use crate::sketch::{Declared, Page, Paged};
-pub use crate::slow_path::{apart, diagnose, diagnose_all};
+pub use crate::slow_path::{apart, diagnose, diagnose_all, diagnose_in_part};
 pub use crate::solver::{Solver, Titles};
 pub use crate::sweep::kinds::*;
 pub use crate::sweep::{

@@ -3,7 +3,7 @@
 
 use core::hint::black_box;
 
-use crate::checks::FirstError;
+use crate::checks::{Behind, FirstError, has_no_pose};
 use crate::diagnosis::{finite_input, finite_result};
 use crate::{Real, Record, SolveError};
 
@@ -21,6 +21,40 @@ pub fn diagnose<T: Real, R: Record<Number = T> + Copy>(
     let mut numbers = R::LABELS.iter().zip(result.into_array());
     numbers.try_for_each(|(name, value)| finite_result(value, name, given))?;
     Ok(result)
+}
+
+/// The same where some numbers are known though a group has no pose: all that do not stand behind it. The others
+/// are NaN.
+///
+/// What is no number is taken for one behind such a group only where it is a number with another one in the place
+/// of what the group lacks. Where it is not, and where nothing is known, the group is the answer.
+///
+/// # Errors
+/// See [`diagnose`].
+#[cold]
+pub fn diagnose_in_part<T: Real, R: Record<Number = T> + Copy>(
+    given: &[(T, &'static str)],
+    formulas: impl FnOnce(&mut FirstError) -> R,
+    behind: impl Fn(&mut Behind) -> R,
+) -> Result<R, SolveError> {
+    let refusal = match diagnose(given, formulas) {
+        Err(refusal) if has_no_pose(refusal) => refusal,
+        answer => return answer,
+    };
+    let (mut unknown, mut invented) = (Behind::unknown(), Behind::invented());
+    let (mut told, possible) =
+        (behind(&mut unknown).into_array(), behind(&mut invented).into_array());
+    let mut is_any_known = false;
+    for (number, possible) in told.as_mut().iter_mut().zip(possible.as_ref()) {
+        if number.is_finite() {
+            is_any_known = true;
+        } else if number.value().is_nan() && possible.is_finite() {
+            *number = T::lit(f64::NAN, f32::NAN);
+        } else {
+            return Err(refusal);
+        }
+    }
+    if is_any_known && !unknown.is_open() { Ok(R::from_array(told)) } else { Err(refusal) }
 }
 
 /// The same of one that returns anything else: `results` says which of its numbers are asked.

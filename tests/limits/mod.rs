@@ -8,6 +8,7 @@ mod double_words;
 mod exact_inputs;
 mod hard_cases;
 mod margins;
+mod margins_beyond;
 mod near_limits;
 mod overflow;
 mod refusals;

@@ -115,3 +115,77 @@ mechanism! {
         output C;
     }
 }
+
+mechanism! {
+    /// Three dyads behind a crank of any length: the second stands behind the first, the third does not.
+    pub struct MarginChain {
+        input theta: angle;
+        param crank = 80mm;
+        param coupler = 260mm;
+        param lever = 140mm;
+
+        ground A(0, 0), D(300mm, 0), G(150mm, 350mm), K(-200mm, 100mm);
+        crank AB(A) -> B        { length: crank, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (coupler, 200mm), mode: left }
+        point E on BC at (150mm, 110mm);
+        rrr   EF(E), GF(G) -> F { lengths: (180mm, lever), mode: right }
+        rrr   BL(B), KL(K) -> L { lengths: (240mm, 150mm), mode: left }
+
+        output DC.margin, DC.transmission, GF.margin, GF.transmission, KL.margin;
+    }
+}
+
+mechanism! {
+    /// A dyad before a searched angle, one in its search and one behind it.
+    pub struct MarginSearch {
+        input x, y: length;
+        param crank = 80mm;
+
+        ground A(0, 0), G(100mm, 250mm), K(-300mm, 0);
+        guide bed through (0, 0) along 0deg;
+        point P at (y, 300mm);
+        rrr   PL(P), KL(K) -> L    { lengths: (300mm, 250mm), mode: left }
+        unknown theta: angle between (0, 180deg);
+        crank AB(A) -> B           { length: crank, angle: theta }
+        rrp   BC(B), ram(bed) -> C { length: 250mm, mode: ahead }
+        solve theta { ram.slide = x, mode: falling }
+        rrr   BF(B), GF(G) -> F    { lengths: (180mm, 120mm), mode: right }
+
+        output KL.margin, ram.margin, GF.margin;
+    }
+}
+
+mechanism! {
+    /// The first dyad of that chain, and where the second begins.
+    pub struct MarginAlone {
+        input theta: angle;
+        param crank = 80mm;
+        param coupler = 260mm;
+        param lever = 140mm;
+
+        ground A(0, 0), D(300mm, 0);
+        crank AB(A) -> B        { length: crank, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (coupler, 200mm), mode: left }
+        point E on BC at (150mm, 110mm);
+
+        output E, DC.margin, span = lever;
+    }
+}
+
+mechanism! {
+    /// The second dyad's margin alone.
+    pub struct MarginBehind {
+        input theta: angle;
+        param crank = 80mm;
+        param coupler = 260mm;
+        param lever = 140mm;
+
+        ground A(0, 0), D(300mm, 0), G(150mm, 350mm);
+        crank AB(A) -> B        { length: crank, angle: theta }
+        rrr   BC(B), DC(D) -> C { lengths: (coupler, 200mm), mode: left }
+        point E on BC at (150mm, 110mm);
+        rrr   EF(E), GF(G) -> F { lengths: (180mm, lever), mode: right }
+
+        output GF.margin;
+    }
+}

@@ -26,10 +26,12 @@ impl<'s> LimitMeasures<'s> {
     }
 }
 
-/// The root of what is negative out of reach; zero there.
+/// The root of what is negative out of reach; zero there, where it does not change. At the limit, zero itself,
+/// it is a root, whose derivative is infinite. NaN stays NaN.
 pub(super) fn root_in_reach(square: Jet<'_>) -> Jet<'_> {
-    let size = square.value.hypot(square.value.builder().zero());
-    Jet { value: (square.value + size).half(), ..square }.sqrt()
+    let (root, zero) = (square.sqrt(), square.value.builder().zero());
+    let beyond = zero.at_least(square.value, zero, square.value);
+    Jet { value: square.value.at_least(zero, root.value, beyond), ..root }
 }
 
 /// Discriminant of a group with an assembly mode and its error scale, for following a motion.

@@ -80,6 +80,8 @@ pub(crate) struct EntryRow {
     pub sweeps: bool,
     /// True if `COST` has a field of its name.
     pub has_cost: bool,
+    /// True if some of its numbers are known where a group has no pose: those behind it are NaN then.
+    pub is_known_in_part: bool,
     /// The documentation of its particular errors: with one input, and with several.
     pub errors: [&'static str; 2],
 }
@@ -220,6 +222,7 @@ const POSITION: EntryRow = EntryRow {
     returns: Returns::Record(RecordKind::Outputs(Order::Position)),
     sweeps: true,
     has_cost: true,
+    is_known_in_part: false,
     errors: [""; 2],
 };
 
@@ -263,9 +266,10 @@ const MARGINS: EntryRow = EntryRow {
     returns: Returns::Record(RecordKind::Margins),
     sweeps: false,
     has_cost: false,
-    errors: [" A margin is there also beyond its own group's limit, but not behind another group \
-              that has no pose: the error names that one, and by how much it is out of reach.";
-        2],
+    is_known_in_part: true,
+    errors: [" A margin is there also beyond its own group's limit. Behind another group that has no pose it \
+              is NaN; where no margin is known, the error names that group, and by how much it is out of \
+              reach."; 2],
     ..POSITION
 };
 

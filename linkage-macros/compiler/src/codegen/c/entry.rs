@@ -10,7 +10,7 @@ use crate::interface::records::Shape;
 use crate::interface::{EntryId, labels};
 use crate::ir::graph::Node;
 use crate::lower::label;
-use crate::lower::routine::{Bound, Compute, Finite, FinitenessChecks};
+use crate::lower::routine::{Bound, Compute, Finite, FinitenessChecks, Routine};
 use crate::lower::used::Asks;
 use crate::model::mechanism::{ParamKind, Sign};
 
@@ -115,6 +115,9 @@ impl In<'_> {
         let call = self.call(routine, *stage, Asks::Diagnoses, &entry.given, found);
         body += &format!("{call};\n");
         body += &self.results_finite(entry, asked, &checked);
+        if entry.point.row().is_known_in_part {
+            body += &self.in_part(entry, routine, *stage);
+        }
         body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
         body += &self.copied(entry.result, "found", "to");
         body += "return linkage_answered(error);\n";
@@ -124,6 +127,33 @@ impl In<'_> {
             list.join(", "),
             indented(&body)
         );
+    }
+
+    /// The numbers where a group has no pose: NaN behind it, the others as they are.
+    fn in_part(self, entry: &Entry, routine: &Routine, stage: usize) -> String {
+        let (is_single, real) = (usize::from(!self.ending().is_empty()), self.real());
+        let call = |found| {
+            let to = Destination::Local(found);
+            self.call(routine, stage, Asks::Diagnoses, &entry.given, to)
+        };
+        let [found, possible] = ["found", "possible"].map(|of| self.components(entry.result, of));
+        let count = found.len();
+        let mut text = format!(
+            "if (linkage_lacks_a_pose(&why)) {{\nconst LinkageWhy refusal = why;\n{};\nint is_open;\n\
+             double told[{count}], others[{count}];\n\
+             why = linkage_why_behind({is_single}, (double)NAN);\n{};\nis_open = why.is_open;\n\
+             why = linkage_why_behind({is_single}, 1.0);\n{};\n",
+            self.result(entry.result, "possible"),
+            call("found"),
+            call("possible"),
+        );
+        for (at, (found, possible)) in found.iter().zip(&possible).enumerate() {
+            text += &format!("told[{at}] = {found};\nothers[{at}] = {possible};\n");
+            text += &format!("{found} = {found} == {found} ? {found} : ({real})NAN;\n");
+        }
+        text + &format!(
+            "if (is_open || !linkage_is_told(told, others, {count})) {{\nwhy = refusal;\n}}\n}}\n"
+        )
     }
 
     /// The list of what is given that has to be finite, and its length.

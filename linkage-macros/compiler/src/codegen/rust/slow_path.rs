@@ -91,6 +91,10 @@ fn diagnosed(
     let [checks, result] = ["checks_", "result_"].map(generated);
     let given = arguments.labelled(&asked.given);
     let (formulas, diagnose) = (call.under(cx, &quote!(#checks)), cx.paths.item("diagnose"));
+    if entry.point.row().is_known_in_part {
+        let diagnose = cx.paths.item("diagnose_in_part");
+        return quote!(#diagnose(&#given, |#checks| #formulas, |#checks| #formulas));
+    }
     if let Shape::Record(_) = entry.result {
         return quote!(#diagnose(&#given, |#checks| #formulas));
     }

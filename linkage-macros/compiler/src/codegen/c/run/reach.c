@@ -165,6 +165,11 @@ double linkage_closed(LinkageWhy *why, double difference, double size, const cha
     if (why->status != LINKAGE_OK || why->otherwise != NULL) {
         return difference;
     }
+    if (why->goes_on) {
+        /* Where no root was found, neither is the difference, but by a stand-in. */
+        why->is_open |= why->stand_in != why->stand_in && difference == difference && !(fabs(difference) <= open_by);
+        return difference;
+    }
     if (!linkage_is_finite(difference)) {
         return refuse(why, LINKAGE_NOT_FINITE, NULL, unknown, 0.0, difference);
     }

@@ -136,6 +136,12 @@ int linkage_root@(LinkageWhy *why, const char *unknown, const LinkageBetween@ *b
         found[1] = f.extent + f.change;
         return 1;
     }
+    if (why != NULL && why->goes_on) {
+        /* An equation is not a number where a group of its own has no pose, too. */
+        found[0] = (REAL)(f.failure == NO_ROOT || f.failure == NOT_A_NUMBER ? why->stand_in : (double)NAN);
+        found[1] = 1.0@;
+        return 0;
+    }
     if (why != NULL) {
         refuse_root(why, f.failure, unknown, (double)f.by, between->to > between->from);
     }
