@@ -6,29 +6,26 @@
 //! inputs of a dragged point; nothing of this touches the document. `picture.js`, `symbols.js`, `curves.js`,
 //! `controls.js` and `page.js` do.
 
+mod assembled;
 mod declared;
 mod json;
-mod plan_object;
 mod settings;
 mod squeeze;
 #[cfg(test)]
 mod tests;
 
 use core::ops::RangeInclusive;
-use std::format;
 use std::path::Path;
 use std::string::{String, ToString};
-use std::vec::Vec;
 
+pub use assembled::{Machine, html};
 use declared::PageOf;
 pub use declared::{Declared, Paged};
-use json::{list, number, object, string};
-use settings::Wishes;
+pub use settings::Wishes;
 
 use super::plan::PlanOf;
 use super::sketch_error::SketchError;
-use super::svg::escaped;
-use super::traces::{named, point};
+use super::traces::point;
 use crate::Record;
 
 /// A page on which the mechanism is dragged. Its parameters are the solver's at first.
@@ -55,7 +52,8 @@ use crate::Record;
 /// library and nothing of the network. A crank's pin turns its crank, also into a pose that cannot be
 /// assembled, which shows what is missing; any other point takes the inputs with it that bring it nearest, and
 /// stays where the machine ends. Arrow keys move the input, with Shift ten times as far; space plays. The
-/// address holds the state, so that it can be sent. A length input needs a `range` or a `path`. Velocities,
+/// address holds the state, so that it can be sent. A length input without a `range` or a `path` goes as far as the
+/// machine can be assembled, which the page finds. Velocities,
 /// accelerations and forces are those at a constant rate of the input that curves are drawn over. The numbers
 /// are the solver's to the last bit, but for `tan`, `exp`, `ln`, `tanh` and `pow`: those are the browser's, whose
 /// last bits may differ. On targets with fused operations the solver itself rounds otherwise. An `unknown` is
@@ -63,69 +61,41 @@ use crate::Record;
 #[derive(Clone, Debug)]
 pub struct Page<S> {
     solver: S,
-    title: Option<String>,
-    traces: Vec<String>,
-    curves: Vec<String>,
     wishes: Wishes,
 }
-
-/// The files that compute and decide.
-const ARITHMETIC: [&str; 3] = [
-    include_str!("page/kernels.js"),
-    include_str!("page/limit.js"),
-    include_str!("page/checks.js"),
-];
-
-/// The files of the search for an unknown, which a page without one does without.
-const SEARCH: [&str; 2] = [include_str!("page/roots.js"), include_str!("page/survey.js")];
-
-/// The file that solves for friction, which a page of a machine without any does without.
-const FRICTION: [&str; 1] = [include_str!("page/friction.js")];
-
-/// The files that read the results, without a document.
-const READS: [&str; 2] = [include_str!("page/pose.js"), include_str!("page/drag.js")];
-
-/// The files of all that a reader sees and sets.
-const SHOWS: [&str; 5] = [
-    include_str!("page/picture.js"),
-    include_str!("page/symbols.js"),
-    include_str!("page/curves.js"),
-    include_str!("page/controls.js"),
-    include_str!("page/page.js"),
-];
 
 impl<S: Paged> Page<S> {
     /// The page of a solver; generated code calls it.
     #[doc(hidden)]
     #[must_use]
     pub fn of(solver: &S) -> Self {
-        let (traces, curves) = (Vec::new(), Vec::new());
-        Self { solver: *solver, title: None, traces, curves, wishes: Wishes::default() }
+        Self { solver: *solver, wishes: Wishes::default() }
     }
 
     /// A heading in place of the mechanism's name.
     #[must_use]
     pub fn title(mut self, title: &str) -> Self {
-        self.title = Some(title.to_string());
+        self.wishes.title = Some(title.to_string());
         self
     }
 
     /// Draws the paths of these points; by default those of points on moving links.
     #[must_use]
     pub fn traces<N: AsRef<str>>(mut self, points: impl IntoIterator<Item = N>) -> Self {
-        self.traces = points.into_iter().map(|name| name.as_ref().to_string()).collect();
+        self.wishes.traces = points.into_iter().map(|name| name.as_ref().to_string()).collect();
         self
     }
 
     /// Offers curves of these outputs and forces, the first one at first; by default of all.
     #[must_use]
     pub fn curves<N: AsRef<str>>(mut self, outputs: impl IntoIterator<Item = N>) -> Self {
-        self.curves = outputs.into_iter().map(|name| name.as_ref().to_string()).collect();
+        self.wishes.curves = outputs.into_iter().map(|name| name.as_ref().to_string()).collect();
         self
     }
 
     /// The ends of the slider of an input, a parameter or a load, in SI units. By default an angle turns fully,
-    /// a length input is that of the path, and a parameter goes from half to one and a half times its value.
+    /// a length input goes as far as the path, or as the machine can be assembled, and a parameter goes from half to
+    /// one and a half times its value.
     #[must_use]
     pub fn range(mut self, name: &str, ends: RangeInclusive<f64>) -> Self {
         self.wishes.ranges.push((name.to_string(), ends));
@@ -161,49 +131,12 @@ impl<S: Paged> Page<S> {
     /// The page: one file without libraries, which asks for nothing of the network.
     ///
     /// # Errors
-    /// `UnknownName` for a trace, a curve, a range, a rate or a load of nothing that is declared; `NoRange`
-    /// for a length input of which neither a range nor a path is given.
+    /// `UnknownName` for a trace, a curve, a range, a rate or a load of nothing that is declared.
     pub fn to_html(&self) -> Result<String, SketchError> {
-        let (plan, declared) = (&PlanOf::<S>::PLAN, &PageOf::<S>::PAGE);
-        self.traces.iter().try_for_each(|name| point(plan, name).map(drop))?;
-        let curves = self.curves.iter();
-        let outputs: Vec<&str> = declared.outputs.lines().collect();
-        for name in curves {
-            named(&outputs, name, "output")?;
-        }
-        self.wishes.check(declared)?;
-        let spaced = super::drawn::spaced(plan.name);
-        let title = self.title.as_deref().unwrap_or(&spaced);
-        let texts = |texts: &[String]| list(texts.iter().map(|text| string(text)));
-        let options = object([
-            ("inputs", self.wishes.inputs(declared)?),
-            ("params", self.wishes.params(declared, &self.solver.params())),
-            ("loads", self.wishes.loads(declared)),
-            ("traces", texts(&self.traces)),
-            ("curves", texts(&self.curves)),
-            ("path", list(self.wishes.path.iter().map(|q| list(q.iter().map(|&x| number(x)))))),
-            ("text", string(declared.text)),
-        ]);
-        let machine = format!(
-            "const PLAN = {};\nconst PAGE = {options};\nconst MACHINE = {};\n",
-            plan_object::written(plan),
-            declared.script
-        );
-        let where_called = |call: &str, files: &'static [&'static str]| {
-            if declared.script.contains(call) { files } else { &[] }
-        };
-        let (search, friction) =
-            (where_called("c.root(", &SEARCH), where_called("amountsOf(", &FRICTION));
-        let parts = [&ARITHMETIC[..], search, friction, &READS];
-        let computes = format!("\"use strict\";\n{machine}{}", squeeze::script(&parts.concat()));
-        let shows = format!("\"use strict\";\n{}", squeeze::script(&SHOWS));
-        Ok(filled(&[
-            ("style", &squeeze::style(include_str!("page/page.css"))),
-            ("title", &escaped(title)),
-            ("docs", &escaped(plan.docs)),
-            ("computes", &unclosed(&computes)),
-            ("shows", &unclosed(&shows)),
-        ]))
+        let plan = &PlanOf::<S>::PLAN;
+        self.wishes.traces.iter().try_for_each(|name| point(plan, name).map(drop))?;
+        let (name, docs, values) = (plan.name, plan.docs, &self.solver.params());
+        html(&Machine { name, docs, declared: PageOf::<S>::PAGE, values }, &self.wishes)
     }
 
     /// Writes the page.
@@ -213,23 +146,4 @@ impl<S: Paged> Page<S> {
     pub fn write_html(&self, path: impl AsRef<Path>) -> Result<(), SketchError> {
         Ok(std::fs::write(path, self.to_html()?)?)
     }
-}
-
-/// The skeleton of a page with these texts in its gaps.
-fn filled(texts: &[(&str, &str)]) -> String {
-    let mut parts = include_str!("page/page.html").split("{{");
-    let mut page = parts.next().unwrap_or_default().to_string();
-    for part in parts {
-        let (gap, rest) = part.split_once("}}").unwrap_or((part, ""));
-        let text = texts.iter().find(|(name, _)| *name == gap).map_or("", |(_, text)| text);
-        page += text;
-        page += rest;
-    }
-    page
-}
-
-/// The script with nothing that would end its element: texts alone hold such, where a backslash changes
-/// nothing.
-fn unclosed(script: &str) -> String {
-    script.replace("</", "<\\/").replace("<!--", "<\\!--")
 }

@@ -16,16 +16,10 @@ pub enum SketchError {
         /// `point` or `link`.
         kind: &'static str,
         /// The known name nearest to it.
-        nearest: Option<&'static str>,
+        nearest: Option<String>,
     },
     /// A film of no poses at all.
     EmptyPath,
-    /// A page needs to know between which ends this input moves: a length has no ends of its own. Say them by
-    /// `range`, or give a `path`.
-    NoRange {
-        /// The input.
-        input: &'static str,
-    },
     /// The pose does not exist.
     Solve(SolveError),
     /// The file could not be written.
@@ -42,12 +36,6 @@ impl fmt::Display for SketchError {
                 write!(f, "no {kind} named `{name}`: the mechanism has none")
             }
             Self::EmptyPath => write!(f, "a film needs at least one pose, and its path has none"),
-            Self::NoRange { input } => {
-                write!(
-                    f,
-                    "no range of the input `{input}` is known: give `range(\"{input}\", from..=to)` or a path"
-                )
-            }
             Self::Solve(error) => error.fmt(f),
             Self::Write(error) => write!(f, "the picture could not be written: {error}"),
         }
@@ -59,7 +47,7 @@ impl core::error::Error for SketchError {
         match self {
             Self::Solve(error) => Some(error),
             Self::Write(error) => Some(error),
-            Self::UnknownName { .. } | Self::EmptyPath | Self::NoRange { .. } => None,
+            Self::UnknownName { .. } | Self::EmptyPath => None,
         }
     }
 }

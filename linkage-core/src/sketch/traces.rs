@@ -22,13 +22,10 @@ pub(super) fn link(plan: &Plan, name: &str) -> Result<usize, SketchError> {
 }
 
 /// The place of a name among those that are known.
-pub(super) fn named(
-    names: &[&'static str],
-    name: &str,
-    kind: &'static str,
-) -> Result<usize, SketchError> {
+pub(super) fn named(names: &[&str], name: &str, kind: &'static str) -> Result<usize, SketchError> {
     names.iter().position(|known| *known == name).ok_or_else(|| {
-        let nearest = names.iter().copied().min_by_key(|known| distance(name, known));
+        let nearest = names.iter().min_by_key(|known| distance(name, known));
+        let nearest = nearest.map(|known| known.to_string());
         SketchError::UnknownName { name: name.to_string(), kind, nearest }
     })
 }
@@ -160,9 +157,9 @@ mod tests {
             Err(SketchError::UnknownName { nearest, .. }) => nearest,
             _ => None,
         };
-        assert_eq!(nearest("Blade"), Some("blade"));
-        assert_eq!(nearest("b"), Some("B"));
-        assert_eq!(nearest("c"), Some("C"));
+        assert_eq!(nearest("Blade").as_deref(), Some("blade"));
+        assert_eq!(nearest("b").as_deref(), Some("B"));
+        assert_eq!(nearest("c").as_deref(), Some("C"));
         assert_eq!(named(NAMES, "C", "point").ok(), Some(2));
     }
 }

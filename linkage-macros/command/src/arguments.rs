@@ -10,6 +10,8 @@ const FLAGS: &str = "\
 Wherever they apply:
   -o PATH                what is written: a folder where several files come, a file otherwise
   --machine NAME         one mechanism of several
+  --between theta=0..90deg, --rate theta=2, --load cut=1kN
+                         what is looked at: ranges, rates of inputs, loads
   --set crank=90mm       another value of a parameter than the declared one
   --only ENTRY,WIDTH,…   fewer entry points and widths, such as motion_at,f32
   --json                 what is told, as JSON
@@ -22,6 +24,7 @@ Wherever they apply:
 ///
 ///     linkage check shear.rs                      mistakes, at their line and column
 ///     linkage import machine.json -o machine.rs   a machine of PMKS+, pyslvs or pylinkage as a declaration
+///     linkage page shear.rs -o shear.html         a page on which the machine is dragged
 ///     linkage export c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
 ///     cc -std=c99 -O2 -c control/*.c
 ///     linkage export fmu press.rs -o press.fmu    a model for simulators, FMI 3.0
@@ -74,6 +77,14 @@ pub(crate) enum Command {
     ///     linkage import machine.txt --drive 0,1
     #[command(verbatim_doc_comment)]
     Import(Import),
+    /// Write a page on which the machine is dragged
+    ///
+    ///     linkage page shear.rs -o shear.html
+    ///     linkage page shear.rs -o shear.html --set crank=90mm --between theta=-90deg..90deg --rate theta=12(rad/s)
+    ///
+    /// It is one file that asks for nothing of the network. Values are written as in the language; bare ones are in SI units.
+    #[command(verbatim_doc_comment)]
+    Page(Page),
     /// Print the solvers of a file as C99, as an FMU, or as Rust
     ///
     /// c: for each mechanism a header and a source, and once `linkage_run.h` and `linkage_run.c`, which all of them need;
@@ -152,6 +163,32 @@ pub(crate) struct Import {
     pub drive: Vec<String>,
     #[command(flatten)]
     pub target: Target,
+}
+
+/// The arguments of `page`.
+#[derive(Debug, Args)]
+pub(crate) struct Page {
+    /// A Rust program, or a declaration
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub chosen: Chosen,
+    #[command(flatten)]
+    pub target: Target,
+    /// A heading in place of the mechanism's name
+    #[arg(long)]
+    pub title: Option<String>,
+    /// The value of a load
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub load: Vec<String>,
+    /// The ends of the slider of an input, a parameter or a load
+    #[arg(long, value_name = "NAME=FROM..TO")]
+    pub between: Vec<String>,
+    /// The rate of an input at which velocities, accelerations and forces are shown
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub rate: Vec<String>,
+    /// Outputs and forces whose curves are offered, the first one at first; all of them without this
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub curves: Vec<String>,
 }
 
 /// The arguments of `export`.

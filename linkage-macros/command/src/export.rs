@@ -39,7 +39,8 @@ fn c(arguments: &Export, program: &Program) -> Result<(), Failure> {
     let printed = program.all(|declaration| linkage_compiler::c(declaration, &only))?;
     let beside = || arguments.file.parent().unwrap_or(Path::new("")).to_path_buf();
     let folder = arguments.target.output.clone().unwrap_or_else(beside);
-    output::files(&folder, printed.into_iter().flatten(), arguments.target.stale)
+    let files = printed.into_iter().flatten().map(|file| (file.name, file.text));
+    output::files(&folder, files, arguments.target.stale)
 }
 
 /// Writes the FMU of the only mechanism of a file, or of the chosen one.

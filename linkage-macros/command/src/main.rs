@@ -10,10 +10,12 @@ mod fmu;
 mod import;
 mod messages;
 mod output;
+mod page;
 mod parameters;
 mod program;
 mod report;
 mod style;
+mod values;
 mod zip;
 
 use std::process::ExitCode;
@@ -36,6 +38,7 @@ fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Check(arguments) => check::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
+        Command::Page(arguments) => page::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
     }
 }

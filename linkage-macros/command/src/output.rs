@@ -5,8 +5,6 @@ use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use linkage_compiler::File;
-
 use crate::style;
 
 /// The reason why nothing was done.
@@ -26,15 +24,15 @@ impl Failure {
     }
 }
 
-/// Writes files into a folder, which is made where there is none, or says which of them are stale. Two of one name have
+/// Writes files, names and texts, into a folder, which is made where there is none, or says which of them are stale. Two of one name have
 /// to be alike, as the run-time of two mechanisms is.
 pub(crate) fn files(
     folder: &Path,
-    files: impl Iterator<Item = File>,
+    files: impl Iterator<Item = (String, String)>,
     is_compared: bool,
 ) -> Result<(), Failure> {
     let mut texts: BTreeMap<PathBuf, String> = BTreeMap::new();
-    for File { name, text, .. } in files {
+    for (name, text) in files {
         let path = folder.join(&name);
         if texts.get(&path).is_some_and(|other| *other != text) {
             return Err(Failure::Unusable(format!("two mechanisms would be written to `{name}`")));

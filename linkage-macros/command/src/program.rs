@@ -37,6 +37,13 @@ impl Program {
 
     /// The declarations, or the chosen one, with parameters as they are set. There is at least one.
     pub(crate) fn declarations(&self) -> Result<Vec<Declaration>, Failure> {
+        let mut found = self.written()?;
+        parameters::set(&mut found, &self.settings)?;
+        Ok(found)
+    }
+
+    /// The same with parameters as they are declared.
+    pub(crate) fn written(&self) -> Result<Vec<Declaration>, Failure> {
         let mut found = self.found()?;
         if let Some(machine) = &self.machine {
             let names: Vec<_> = found.iter().map(Declaration::name).collect();
@@ -48,7 +55,6 @@ impl Program {
                 return Err(Failure::Unusable(why));
             }
         }
-        parameters::set(&mut found, &self.settings)?;
         Ok(found)
     }
 
@@ -72,14 +78,54 @@ impl Program {
         Ok(found.into_iter().map(|tokens| Declaration { name: name(&tokens), tokens }).collect())
     }
 
+    /// The call of the macro around a declaration, as it is written, with layout and comments.
+    pub(crate) fn call(&self, declaration: &Declaration) -> String {
+        let mut spans = declaration.tokens.clone().into_iter().map(|tree| tree.span().byte_range());
+        let first = spans.next().map_or(0, |range| range.start);
+        let last = spans.last().map_or(self.text.len(), |range| range.end);
+        let Some(word) = self.text[..first].rfind("mechanism!") else {
+            return format!("mechanism! {{\n{}\n}}", self.text.trim_end());
+        };
+        // `linkage_core::mechanism!`
+        let is_path = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == ':';
+        let path = self.text[..word].trim_end_matches(is_path).len();
+        self.text[path..self.end_of_call(last)].to_string()
+    }
+
+    /// The place behind the bracket that closes a call, `last` being that behind the call's last token: comments may
+    /// stand between.
+    fn end_of_call(&self, last: usize) -> usize {
+        let mut at = last;
+        loop {
+            let rest = &self.text[at..];
+            let trimmed = rest.trim_start();
+            at += rest.len() - trimmed.len();
+            let comment = match () {
+                () if trimmed.starts_with("//") => trimmed.find('\n'),
+                () if trimmed.starts_with("/*") => trimmed.find("*/").map(|end| end + 2),
+                () => return (at + 1).min(self.text.len()),
+            };
+            at += comment.unwrap_or(trimmed.len());
+        }
+    }
+
     /// The results of the declarations where none has a mistake; otherwise all mistakes are told.
     pub(crate) fn all<T>(
         &self,
         make: impl Fn(TokenStream) -> Result<T, Vec<Diagnostic>>,
     ) -> Result<Vec<T>, Failure> {
+        self.each(self.declarations()?, |declaration| make(declaration.tokens.clone()))
+    }
+
+    /// The same of these declarations.
+    pub(crate) fn each<T>(
+        &self,
+        declarations: Vec<Declaration>,
+        make: impl Fn(&Declaration) -> Result<T, Vec<Diagnostic>>,
+    ) -> Result<Vec<T>, Failure> {
         let (mut made, mut report) = (Vec::new(), Report::default());
-        for declaration in self.declarations()? {
-            match make(declaration.tokens.clone()) {
+        for declaration in declarations {
+            match make(&declaration) {
                 Ok(one) => made.push(one),
                 Err(found) => report.tell(self, &declaration, &found),
             }

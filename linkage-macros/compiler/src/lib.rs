@@ -80,5 +80,6 @@ mod reach;
 mod syntax;
 
 pub use blocks::declarations;
+pub use codegen::script::page::PageParts;
 pub use diagnostics::{Diagnostic, Level};
-pub use pipeline::{File, Options, Output, c, compile, fmu};
+pub use pipeline::{File, Options, Output, Quantity, c, compile, fmu, page, quantity};

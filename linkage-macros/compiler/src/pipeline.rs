@@ -4,9 +4,12 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 
 use crate::codegen::Drawing;
 use crate::codegen::c::selection::Selection;
+use crate::codegen::script::page::PageParts;
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::AtomScope;
 use crate::interface::Interface;
+use crate::interface::quantity::Order;
+use crate::interface::units_in_words::unit;
 use crate::ir::program::Program;
 use crate::model::Stub;
 use crate::model::mechanism::Mechanism;
@@ -125,6 +128,70 @@ pub fn fmu(source: TokenStream, is_kinematic: bool) -> Result<Vec<File>, Vec<Dia
     })
 }
 
+/// The texts that the page of a declaration is made of: `linkage_core::sketch` puts them together.
+///
+/// # Errors
+/// The mistakes in the declaration, in the order of the source.
+pub fn page(source: TokenStream) -> Result<PageParts, Vec<Diagnostic>> {
+    let _atoms = AtomScope::begin();
+    let mechanism = understood(source)?;
+    let (program, placing) = (program(&mechanism), placing(&mechanism));
+    let lowered = lower::lower(&mechanism, &program);
+    Ok(PageParts::of(&mechanism, &lowered, &lower::lower_placing(&mechanism, &placing)))
+}
+
+/// A value that is written as in a declaration: `90mm`, `-30deg`, `2 * pi`, `12(rad/s)`.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Quantity {
+    /// The value in SI units.
+    pub value: f64,
+    /// The SI unit, such as `rad/s`; `1` for a number without one.
+    pub unit: String,
+}
+
+/// Reads a value that is written as in a declaration.
+///
+/// # Errors
+/// The reasons why it is none.
+///
+/// ```
+/// let length = linkage_compiler::quantity("2 * 45mm").expect("it is one");
+/// assert_eq!((length.value, &length.unit[..]), (0.09, "m"));
+/// assert!(linkage_compiler::quantity("90 mm mm").is_err());
+/// ```
+pub fn quantity(text: &str) -> Result<Quantity, Vec<String>> {
+    let source = format!("struct Value {{ param value = {text}; }}");
+    // A bracket that closes too early would end the declaration.
+    let tokens: TokenStream = match (text.parse::<TokenStream>(), source.parse()) {
+        (Ok(_), Ok(tokens)) => tokens,
+        _ => return Err(vec![format!("`{text}` is no value")]),
+    };
+    let _atoms = AtomScope::begin();
+    let mut diagnostics = Diagnostics::new();
+    let tree = syntax::parse(tokens, &mut diagnostics);
+    let is_alone = tree.as_ref().is_some_and(|tree| tree.statements.len() == 1);
+    let found = tree.and_then(|tree| model::quantity(&tree, &mut diagnostics)).filter(|_| is_alone);
+    match (found, diagnostics.finish()) {
+        (Some((dimension, value)), Ok(())) => {
+            Ok(Quantity { value: value.to_f64(), unit: unit(dimension, Order::Position) })
+        }
+        (_, Err(Failure(mistakes))) => Err(mistakes.iter().map(Diagnostic::text).collect()),
+        (None, Ok(())) => Err(vec![format!("`{text}` is no value")]),
+    }
+}
+
+/// The mechanism of a declaration without mistakes.
+fn understood(source: TokenStream) -> Result<Mechanism, Vec<Diagnostic>> {
+    let mut diagnostics = Diagnostics::new();
+    let (_, resolved) = read(source, &mut diagnostics);
+    match (resolved, diagnostics.finish()) {
+        (Some(Ok(mechanism)), Ok(())) => Ok(mechanism),
+        (_, Err(Failure(diagnostics))) => Err(diagnostics),
+        (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
+    }
+}
+
 /// The files that `finish` makes of a mechanism, its routines and its solver in C.
 fn printed(
     source: TokenStream,
@@ -132,23 +199,16 @@ fn printed(
     finish: impl FnOnce(&Mechanism, &lower::routine::Lowered<'_>, Vec<File>) -> Vec<File>,
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
     let _atoms = AtomScope::begin();
-    let mut diagnostics = Diagnostics::new();
-    let (_, resolved) = read(source, &mut diagnostics);
-    match (resolved, diagnostics.finish()) {
-        (Some(Ok(mechanism)), Ok(())) => {
-            let (program, mut diagnostics) = (program(&mechanism), Diagnostics::new());
-            let selection = Selection::of(&mechanism, &program, only, &mut diagnostics);
-            diagnostics.finish().map_err(|Failure(mistakes)| mistakes)?;
-            // The numbers of an entry point are the same whichever others are printed.
-            let program = selection.apply(program);
-            let lowered = lower::lower(&mechanism, &program);
-            let solver = codegen::c::generate(&mechanism, &lowered, &selection);
-            let solver = solver.into_iter().map(|(name, text)| File { name, text }).collect();
-            Ok(finish(&mechanism, &lowered, solver))
-        }
-        (_, Err(Failure(diagnostics))) => Err(diagnostics),
-        (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
-    }
+    let mechanism = understood(source)?;
+    let (program, mut diagnostics) = (program(&mechanism), Diagnostics::new());
+    let selection = Selection::of(&mechanism, &program, only, &mut diagnostics);
+    diagnostics.finish().map_err(|Failure(mistakes)| mistakes)?;
+    // The numbers of an entry point are the same whichever others are printed.
+    let program = selection.apply(program);
+    let lowered = lower::lower(&mechanism, &program);
+    let solver = codegen::c::generate(&mechanism, &lowered, &selection);
+    let solver = solver.into_iter().map(|(name, text)| File { name, text }).collect();
+    Ok(finish(&mechanism, &lowered, solver))
 }
 
 /// The declaration, and what it means.

@@ -22,6 +22,8 @@ const FRAMES: &str =
 const GATHER: &str = r#"
 const found = {};
 addEventListener("message", ({ data, source }) => {
+  // A page within another one tells that what its reader does.
+  if (!data.failures) return;
   const frame = [...document.querySelectorAll("iframe")].find((frame) => frame.contentWindow === source);
   found[frame.title] = data;
   document.querySelector("pre").textContent = Object.entries(found)
@@ -68,7 +70,7 @@ fn page(name: &str) -> String {
 
 fn visits() -> Vec<Visit> {
     let visit = |name: &'static str, width, steps| Visit { name, html: page(name), width, steps };
-    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["touch", "B"], ["keys"], ["texts"], ["sliders"]]"#;
+    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["touch", "B"], ["fingers", "B"], ["keys"], ["texts"], ["sliders"], ["ends"], ["typed"], ["pace"], ["address"], ["picks", "C"], ["saves"]]"#;
     vec![
         visit("flying_shear::FlyingShear", 1280, shear),
         visit("flying_shear::FlyingShear", 360, shear),
@@ -93,7 +95,11 @@ fn visits() -> Vec<Visit> {
             360,
             r#"[["look"], ["coupler", "W"], ["limit", "W", 0, 2], ["sliders"]]"#,
         ),
-        visit("press_friction::CutPress", 1280, r#"[["look"], ["band"], ["texts"], ["sliders"]]"#),
+        visit(
+            "press_friction::CutPress",
+            1280,
+            r#"[["look"], ["band"], ["texts"], ["loads"], ["sliders"]]"#,
+        ),
         visit("press_friction::CutPress", 360, r#"[["look"], ["band"], ["sliders"]]"#),
         visit(
             "six_bar::SixBar",
@@ -108,6 +114,28 @@ fn visits() -> Vec<Visit> {
             steps: r#"[["look"], ["jams", 3]]"#,
         },
         visit("jansen_leg::JansenLeg", 1280, r#"[["look"], ["coupler", "foot"]]"#),
+        visit("six_bar_reactions::SixBar", 1280, r#"[["look"], ["arrows"]]"#),
+        visit("toggle_clamp::ToggleClamp", 800, r#"[["look"], ["ends"], ["sliders"]]"#),
+        visit("counterweight::FourBar", 1280, r#"[["look"], ["typed"], ["sliders"]]"#),
+        visit("calibration::SixBar", 1280, r#"[["keeps"]]"#),
+        Visit {
+            name: "hard::Knee",
+            html: hard::Knee::new().page().to_html().unwrap(),
+            width: 800,
+            steps: r#"[["look"], ["stuck", "ankle"]]"#,
+        },
+        Visit {
+            name: "hard::Lift",
+            html: hard::Lift::new().page().to_html().unwrap(),
+            width: 800,
+            steps: r#"[["look"], ["ends"], ["sliders"], ["coupler", "B"]]"#,
+        },
+        Visit {
+            name: "hard::Bridge",
+            html: hard::Bridge::new().page().to_html().unwrap(),
+            width: 360,
+            steps: r#"[["look"], ["ends"], ["texts"]]"#,
+        },
         visit("shear_bearings::FlyingShear", 360, r#"[["look"], ["crank"], ["sliders"]]"#),
         Visit {
             name: "hard::Function",

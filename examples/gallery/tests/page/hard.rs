@@ -145,3 +145,42 @@ mechanism! {
         output height = D.y - A.y;
     }
 }
+
+mechanism! {
+    /// A knee whose shank is driven: outside its range a link's pin stands nowhere.
+    pub struct Knee {
+        input flexion: angle;
+        ground A(0, 0), D(-35mm, 10mm);
+        pin B(12mm, -70mm), C(-25mm, -62mm), ankle(0, -450mm);
+        link front(A, B);
+        link rear(D, C);
+        link shank(B, C, ankle);
+        drive shank.angle = 167.8deg - flexion;
+    }
+}
+
+mechanism! {
+    /// A platform that a cylinder lifts: the page finds how far.
+    pub struct Lift {
+        input s: length;
+        ground A(0, 0), D(0.5m, 0);
+        pin B(0.9m, 0.6m), P(1.4m, 0.9m);
+        link arm(A, B, P);
+        link ram(D, B) { length: s }
+    }
+}
+
+mechanism! {
+    /// A bascule bridge: meganewtons, and accelerations without bound at both ends.
+    pub struct Bridge {
+        input stroke: length;
+        param counterweight = 0(kg);
+        ground A(0, 0), F(-14m, -9m);
+        rrr ram(F), leaf(A) -> G { lengths: (stroke, 12m), mode: right }
+        point nose_of_the_bascule_leaf on leaf at (120m, 6m);
+        gravity (0, -9.81);
+        mass 900000kg on leaf at (40m, 0) inertia 1e9(kg*m^2);
+        mass counterweight on leaf at (-20m, 0);
+        output leaf, nose_of_the_bascule_leaf, stroke.drive;
+    }
+}

@@ -95,6 +95,31 @@ type Answers = Vec<(&'static str, Result<Vec<f64>, SolveError>)>;
 /// The answers of a solver's `forces` and `holding`, where it has any.
 type Forces<S, I> = fn(&S, [I; 3], &[f64]) -> Answers;
 
+/// The page of a solver is what the compiler's texts make without Rust.
+fn is_printed_by_the_compiler_alone<S: Paged>(solver: &S) {
+    let (declared, values) = (S::PAGE, solver.params());
+    let call: proc_macro2::TokenStream = declared.text.parse().expect("these are tokens");
+    let Some(proc_macro2::TokenTree::Group(group)) = call.into_iter().last() else {
+        panic!("a call ends with its brackets")
+    };
+    let parts = linkage_compiler::page(group.stream()).expect("there is no mistake");
+    let printed =
+        [&parts.plan, &parts.script, &parts.inputs, &parts.params, &parts.loads, &parts.outputs];
+    let expanded = [
+        declared.plan,
+        declared.script,
+        declared.inputs,
+        declared.params,
+        declared.loads,
+        declared.outputs,
+    ];
+    assert_eq!(printed, expanded, "{}", S::PLAN.name);
+    assert_eq!(
+        (&parts.name[..], &parts.docs[..], parts.values.len()),
+        (S::PLAN.name, S::PLAN.docs, values.len())
+    );
+}
+
 fn asked<S: Paged + Drawn<Input = <S as Solver>::Input> + Solver<Scalar = f64> + 'static>(
     pages: &[(&'static str, String)],
     name: &'static str,
@@ -105,6 +130,7 @@ fn asked<S: Paged + Drawn<Input = <S as Solver>::Input> + Solver<Scalar = f64> +
 where
     <S as Solver>::Input: 'static,
 {
+    is_printed_by_the_compiler_alone(&solver(&mut Random(1)));
     let (_, html) = pages.iter().find(|(own, _)| *own == name).expect("it has a page").clone();
     let (mut random, mut lines) = (Random(name.len() as u64), String::new());
     for _ in 0..POSES {

@@ -58,7 +58,11 @@
       const on = (isForce ? spots.filter(isOfJoint) : spots).find(([x, y, , half]) => Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom)) < half);
       if (on) fault(`${name} on a ${on[2]}`);
     }
-    for (const { svg } of charts) overlaps(texts(svg));
+    for (const { svg, width } of charts) {
+      const own = texts(svg);
+      overlaps(own);
+      for (const [name, { left, right }] of own) if (left < -0.5 || right > width + 0.5) fault(`${name} over the edge of a chart`);
+    }
     for (const arrow of [...figure.querySelectorAll(".arrow")].filter(isSeen)) {
       const { x, y, width, height } = arrow.getBBox();
       if (Math.min(x, y, view.width - x - width, view.height - y - height) < 0) fault("an arrow over the edge");
@@ -66,8 +70,8 @@
   };
   /// Names of controls that are cut, values that have to be moved to be read, and controls out of their line.
   const lookBeside = () => {
-    for (const node of document.querySelectorAll(".row label, .row > span, output, button, select")) {
-      if (node.scrollWidth > node.clientWidth + 1) fault(`${node.textContent} is cut`);
+    for (const node of document.querySelectorAll(".row label, .row > span, .field, button, select")) {
+      if (node.scrollWidth > node.clientWidth + 1) fault(`${node.value || node.textContent} is cut`);
     }
     const values = document.querySelector(".scroll");
     if (values.scrollWidth > values.clientWidth) fault(`the table is ${values.scrollWidth - values.clientWidth} wider than its place`);

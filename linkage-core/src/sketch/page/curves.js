@@ -3,8 +3,6 @@
 /// Steps of the input that curves are drawn over, and of each input for the picture's size.
 const STEPS = 240, SURVEYED = 48;
 let samples = [];
-/// The largest position, velocity and acceleration of any row.
-let largest = [];
 
 const withInput = (k, x) => state.q.map((value, n) => (n === k ? x : value));
 const domain = () => [inputs[state.axis].from, inputs[state.axis].to];
@@ -15,13 +13,42 @@ const sample = () => {
     const pose = new Pose(withInput(state.axis, x));
     return { x, pose, ...answersAt(pose) };
   });
-  largest = [0, 1, 2].map((order) => samples.reduce((most, { motion }) =>
-    (motion ? rows.reduce((most, { at }) => Math.max(most, Math.abs(motion[at[order]])), most) : most), 0));
+  setScales();
   const arrows = efforts.flatMap(({ row, point }, k) => (point !== null && row === "x" ? [k] : []));
   largestForce = 0;
-  for (const { forces } of samples) {
+  for (const { forces, applied } of samples) {
+    for (const k of applied ? MACHINE.appliedAt.keys() : []) largestForce = Math.max(largestForce, Math.hypot(applied[2 * k], applied[2 * k + 1]));
     for (const k of arrows) if (forces) largestForce = Math.max(largestForce, Math.hypot(forces[k], forces[k + 1]));
   }
+};
+
+const grouped = (list, keyOf) => [...new Set(list.map(keyOf))].map((key) => list.filter((entry) => keyOf(entry) === key));
+/// The largest number that a chart of these rows shows.
+const largestOf = (list, valueAt) => {
+  const range = rangeOf(samples.flatMap((answers) => list.map((entry) => valueAt(entry, answers))), 0);
+  return Math.max(...range.map(Math.abs));
+};
+
+/// The extent of the machine, by which its lengths are shown.
+let extent = 1;
+/// The units in which rows are shown: rows of one output and one unit alike. What is a thousand millionth of the
+/// largest of all rows of a unit is rounding.
+const setScales = () => {
+  const lengths = shownIn("m", 0, extent / 2);
+  const set = (list, valueAt, order, outputOf) => grouped(list, ({ unit }) => unit).forEach((alike) => {
+    const noise = largestOf(alike, valueAt);
+    grouped(alike, outputOf).forEach((own) => {
+      const { unit } = own[0], isLength = unit === "m" && order === 0;
+      const shown = isLength ? lengths : shownIn(unit, order, largestOf(own, valueAt));
+      own.forEach((row) => row.scales[order] = { shown, noise });
+    });
+  });
+  for (const order of [0, 1, 2]) set(rows, (row, { motion }) => (motion ? valueOf(row, order, motion) : NaN), order, ({ output }) => output);
+  set(efforts, (row, { forces }) => (forces ? forces[efforts.indexOf(row)] : NaN), 0, ({ effort }) => effort);
+  const held = largestOf([0, 1], (end, { holding }) => (holding ? holding[end] : NaN)), row = efforts.find(({ effort }) => effort === driven);
+  const most = Math.max(held, row ? largestOf([row], (row, { forces }) => (forces ? forces[efforts.indexOf(row)] : NaN)) : 0);
+  holds.scales[0] = { shown: shownIn(holds.unit, 0, most), noise: most };
+  if (row && MACHINE.holding) row.scales[0] = holds.scales[0];
 };
 
 /// Poses over every input's range and along the path.
@@ -34,40 +61,38 @@ const surveyed = () => [
 // ---- charts -----------------------------------------------------------------------------------------
 
 const ORDERS = ["Position", "Velocity", "Acceleration"];
-const unitOf = (row, order) => shownIn(row.unit, order);
-const grouped = (list, keyOf) => [...new Set(list.map(keyOf))].map((key) => list.filter((entry) => keyOf(entry) === key));
 
 /// The effort of the only input, which friction at rest leaves between two ends.
 const driven = `${inputs[0].name}.drive`;
+const holds = { unit: inputs[0].isAngle ? "N·m" : "N", scales: [] };
+
+/// A number of a row in the unit of its scale.
+const shownOf = (x, { shown: [, times], noise }) => (Math.abs(x) < 1e-9 * noise ? 0 : x * times);
 
 /// The charts of an output or a force: one for each order and unit. Charts of drives stand below.
 const chartsOf = (name) => {
   const own = rows.filter(({ output }) => output === name);
   const motions = [0, 1, 2].flatMap((order) =>
-    grouped(own, (row) => unitOf(row, order)[0]).map((list) => ({
-      title: `${ORDERS[order]} of ${name}`,
-      unit: unitOf(list[0], order)[0],
+    grouped(own, ({ unit }) => unit).map((list) => ({
+      title: `${ORDERS[order]} of ${list[0].title}`,
+      scale: () => list[0].scales[order],
       isMotion: true,
       series: list.map((row) => ({
         name: row.row,
         isAngle: row.isAngle && order === 0,
-        of: ({ motion }) => {
-          const x = motion ? valueOf(row, order, motion) : NaN;
-          // What rounding leaves of zero is none.
-          return Math.abs(x) < 1e-9 * largest[order] ? 0 : x * unitOf(row, order)[1];
-        },
+        of: ({ motion }) => (motion ? shownOf(valueOf(row, order, motion), row.scales[order]) : NaN),
       })),
     })));
   const drives = efforts.filter(({ effort, row }) => row === "" && effort.endsWith(".drive") && effort !== name);
   const asked = [...efforts.filter(({ effort }) => effort === name), ...drives];
   const forces = grouped(asked, ({ effort, unit }) => `${effort} ${unit}`).map((list) => ({
     title: list[0].effort,
-    unit: list[0].unit,
+    scale: () => list[0].scales[0],
     hasBand: MACHINE.holding && list[0].effort === driven,
     series: list.map((row) => ({
       // The title says of what.
       name: row.row,
-      of: ({ forces }) => (forces ? forces[efforts.indexOf(row)] : NaN),
+      of: ({ forces }) => (forces ? shownOf(forces[efforts.indexOf(row)], row.scales[0]) : NaN),
     })),
   }));
   return [...motions, ...forces];
@@ -82,13 +107,14 @@ const buildCharts = () => {
     const out = node("path", { class: "out" }), grid = node("path", { class: "grid" }), zero = node("path", { class: "zero" });
     const inside = made("rect", {}, made("clipPath", { id: `inside${nth}` }, svg));
     const ticks = node("g", { class: "ticks" }), band = node("path", { class: "band", "clip-path": `url(#inside${nth})` });
+    const olds = chart.series.map(() => node("path", { class: "old", "clip-path": `url(#inside${nth})` }));
     const lines = chart.series.map((_, k) => node("path", { class: `curve s${k}`, "clip-path": `url(#inside${nth})` }));
     const title = node("text", { class: "title" }), legend = node("text", { class: "legend" });
     title.textContent = chart.title;
     const labels = chart.series.map((_, k) => made("tspan", { class: `s${k}` }, legend)), rest = made("tspan", {}, legend);
     const cursor = node("path", { class: "cursor" });
     const dots = chart.series.map((_, k) => node("circle", { class: `dot s${k}`, r: 4 }));
-    return { ...chart, svg, out, grid, zero, inside, ticks, band, lines, title, legend, labels, rest, cursor, dots };
+    return { ...chart, svg, out, grid, zero, inside, ticks, band, olds, lines, title, legend, labels, rest, cursor, dots };
   });
 };
 
@@ -100,9 +126,13 @@ const roundNumbers = ([from, to], count) => {
   for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) found.push(k * step);
   return [found, step];
 };
-const decimalsOf = (step) => [0, 1, 2, 3, 4, 5].find((d) => Math.abs(step * 10 ** d - Math.round(step * 10 ** d)) < 1e-6) ?? 6;
-const tickWords = (x, step) => x.toFixed(decimalsOf(step)).replace("-", "−").replace(/^−(0\.?0*)$/, "$1");
-
+/// The words of round numbers that are so far apart.
+const tickWords = (x, step) => {
+  const tens = Math.floor(Math.log10(step)), rounded = Math.round(x / step) * step;
+  if (tens < -5 || Math.abs(x) >= 1e6) return digits(Math.abs(x) < 1e-9 * step ? 0 : x, 3);
+  const decimals = [0, 1, 2, 3, 4, 5, 6].find((d) => Math.abs(step * 10 ** d - Math.round(step * 10 ** d)) < 1e-6) ?? 6;
+  return rounded.toFixed(decimals).replace("-", "−").replace(/^−(0\.?0*)$/, "$1");
+};
 /// Angles that do not jump by a turn.
 const unrolled = (values) => {
   let last = null;
@@ -115,7 +145,7 @@ const unrolled = (values) => {
 
 /// The range of a chart. Beside a pose that cannot be assembled, or is singular, the outermost values count
 /// for nothing.
-const rangeOf = (values) => {
+const rangeOf = (values, margin = 0.06) => {
   const known = values.filter(isFinite).sort((a, b) => a - b);
   if (!known.length) return [0, 1];
   const at = (share) => known[Math.round(share * (known.length - 1))];
@@ -124,29 +154,46 @@ const rangeOf = (values) => {
   const [from, to] = isWild ? [at(0.02) - 0.5 * inner, at(0.98) + 0.5 * inner] : [at(0), at(1)];
   // What changes by rounding alone is constant.
   const isConstant = to - from <= 1e-9 * Math.max(Math.abs(from), Math.abs(to));
-  const spare = isConstant ? 0.1 * Math.abs(to) || 1 : 0.06 * (to - from);
+  const spare = isConstant && margin ? 0.1 * Math.abs(to) || 1 : margin * (to - from);
   return [from - spare, to + spare];
 };
 
-const drawChart = (chart, width) => {
-  const isSlim = width < 420;
-  const height = isSlim ? 168 : 170, [left, right, top, bottom] = [58, 14, isSlim ? 44 : 26, 24];
+/// The width of a text of the axes.
+const pen = document.createElement("canvas").getContext("2d");
+const widthOf = (text) => {
+  pen.font = `11.5px ${getComputedStyle(document.body).fontFamily}`;
+  return pen.measureText(text).width;
+};
+
+/// The curves, the range and the ticks of a chart, and how much room its ticks take at the left.
+const prepared = (chart) => {
   const values = chart.series.map(({ of, isAngle }) => (isAngle ? unrolled : (list) => list)(samples.map(of)));
   // A row that is zero throughout is left out, unless all are.
-  const isZero = (list) => list.every((x) => !(Math.abs(x) > 1e-12));
+  const isZero = (list) => list.every((x) => !(Math.abs(x) > 0));
   const isShown = values.map((list) => !isZero(list) || values.every(isZero));
-  chart.isFlat = !!chart.isMotion && values.every((list) => isZero(list) && list.some(isFinite));
-  const bands = samples.map(({ holding }) => (chart.hasBand && holding) || null);
-  const range = rangeOf([...values.filter((_, k) => isShown[k]), ...bands.filter(Boolean)].flat()), [from, to] = domain();
+  const bands = samples.map(({ holding }) => (chart.hasBand && holding?.map((x) => shownOf(x, holds.scales[0]))) || null);
+  const before = isBeside() ? chart.series.map(({ of, isAngle }) => (isAngle ? unrolled : (list) => list)(kept.samples.map(of))) : [];
+  const range = rangeOf([...values, ...before].filter((_, k) => isShown[k % values.length]).concat(bands.filter(Boolean)).flat());
+  const [levels, step] = roundNumbers(range, 4), marks = levels.map((y) => [y, tickWords(y, step)]);
+  const isFlat = !!chart.isMotion && values.every((list) => isZero(list) && list.some(isFinite)), [unit] = chart.scale().shown;
+  const room = Math.max(...[...marks.map(([, text]) => text), unit].map(widthOf)) + 14;
+  return Object.assign(chart, { values, before, isShown, bands, range, marks, isFlat, unit, room });
+};
+
+const drawChart = (chart, width, left) => {
+  const isSlim = width < 420, { values, before, isShown, bands, range } = chart;
+  const height = isSlim ? 168 : 170, [right, top, bottom] = [14, isSlim ? 44 : 26, 24];
+  const [from, to] = domain();
   const X = (x) => left + ((width - left - right) * (x - from)) / (to - from);
   const Y = (y) => height - bottom - ((height - top - bottom) * (y - range[0])) / (range[1] - range[0]);
-  Object.assign(chart, { values, isShown, X, Y, left, right, top, bottom, width, height });
+  Object.assign(chart, { X, Y, left, right, top, bottom, width, height });
   put(chart.svg, { viewBox: `0 0 ${width} ${height}`, "aria-label": `${chart.title.textContent} over ${inputs[state.axis].name}` });
   put(chart.inside, { x: left, y: top, width: width - left - right, height: height - top - bottom });
   trace(chart.out, gapsIn(chart));
   drawTicks(chart, range);
   const spot = (y, n) => isFinite(y) && [X(samples[n].x), clamp(Y(y), -2000, 2000)];
   chart.lines.forEach((line, k) => trace(line, isShown[k] ? lineThrough(values[k].map(spot)) : ""));
+  chart.olds.forEach((line, k) => trace(line, before[k] && isShown[k] ? lineThrough(before[k].map(spot)) : ""));
   trace(chart.band, areaBetween(bands.map((ends, n) => ends && ends.map((y) => spot(y, n)))));
   const [x, y, anchor] = isSlim ? [left, 34, "start"] : [width - right, 15, "end"];
   put(chart.title, { x: left, y: 15 });
@@ -163,7 +210,11 @@ const areaBetween = (pairs) => {
   return d;
 };
 
-const heldWords = ({ holding }) => (holding ? holding.map((x) => digits(x)).join(" … ") : "–");
+const heldWords = ({ holding }) => {
+  if (!holding) return "–";
+  const { shown: [unit, times], noise } = holds.scales[0];
+  return withUnit(holding.map((x) => digits(Math.abs(x) < 1e-9 * noise ? 0 : x * times)).join(" … "), unit);
+};
 
 /// Bands where the machine cannot be assembled.
 const gapsIn = ({ X, top, bottom, height }) => {
@@ -177,7 +228,7 @@ const gapsIn = ({ X, top, bottom, height }) => {
   return d;
 };
 
-const drawTicks = ({ X, Y, ticks, grid, zero, left, right, bottom, width, height }, range) => {
+const drawTicks = ({ X, Y, ticks, grid, zero, left, right, bottom, width, height, marks, unit }, range) => {
   let count = 0;
   // Texts are kept, and changed where they differ: new ones are what a frame costs most.
   const text = (words, x, y, anchor) => {
@@ -187,18 +238,18 @@ const drawTicks = ({ X, Y, ticks, grid, zero, left, right, bottom, width, height
     if (node.place !== place) put(node, { x: short(x), y: short(y), "text-anchor": anchor });
     node.place = place;
   };
-  const [levels, step] = roundNumbers(range, 4);
   const across = (y) => `M${left} ${short(Y(y))}H${width - right}`;
-  trace(grid, levels.map(across).join(""));
+  trace(grid, marks.map(([y]) => across(y)).join(""));
   trace(zero, range[0] < 0 && range[1] > 0 ? across(0) : "");
-  for (const y of levels) text(tickWords(y, step), left - 7, Y(y) + 4, "end");
-  const { isAngle, unit } = inputs[state.axis], [name, times] = shownIn(unit, 0), [from, to] = domain();
-  const isTurn = isAngle && Math.abs(to - from - TURN) < 1e-9, parts = width < 420 ? 4 : 8;
+  for (const [y, words] of marks) text(words, left - 7, Y(y) + 4, "end");
+  if (unit) text(unit, left - 7, 15, "end");
+  const input = inputs[state.axis], [from, to] = domain(), [name, times] = shownIn(input.unit, 0, Math.max(Math.abs(from), Math.abs(to)));
+  const isTurn = input.isAngle && name === "°" && Math.abs(to - from - TURN) < 1e-9, parts = width < 420 ? 4 : 8;
   const [places, apart] = isTurn
     ? [Array.from({ length: parts + 1 }, (_, k) => (360 / parts) * k + from * times), 45]
     : roundNumbers([from * times, to * times], parts - 1);
   places.forEach((x, k) => {
-    const words = isAngle ? `${tickWords(x, apart)}°` : tickWords(x, apart) + (k === places.length - 1 ? ` ${name}` : "");
+    const words = name === "°" ? `${tickWords(x, apart)}°` : tickWords(x, apart) + (k === places.length - 1 ? ` ${name}` : "");
     const at = X(x / times), isLast = at > width - right - 12;
     text(words, isLast ? width : at, height - 6, isLast ? "end" : "middle");
   });
@@ -207,8 +258,8 @@ const drawTicks = ({ X, Y, ticks, grid, zero, left, right, bottom, width, height
 
 /// Where the input of the curves stands, inside their domain.
 const cursorAt = () => {
-  const { turns, from } = inputs[state.axis], x = state.q[state.axis];
-  return turns ? from + wrapped(x - from) : x;
+  const { turns, from, to } = inputs[state.axis], x = state.q[state.axis];
+  return turns ? turnedInto(x, from, to) : x;
 };
 
 const drawCursors = (now) => {
@@ -224,7 +275,7 @@ const drawCursors = (now) => {
       const level = isAngle && isFinite(values[k][near]) ? y + 360 * Math.round((values[k][near] - y) / 360) : y;
       const isInside = isKnown && Y(level) > top - 5 && Y(level) < height - bottom + 5;
       show(dots[k], isInside, [X(x), Y(level)]);
-      labels[k].textContent = isShown[k] ? (isFirst ? "" : "   ") + `${name} ${withUnit(y, unit)}`.trim() : "";
+      labels[k].textContent = isShown[k] ? (isFirst ? "" : "   ") + `${name} ${withUnit(digits(y), unit)}`.trim() : "";
       isFirst &&= !isShown[k];
     });
     rest.textContent = chart.hasBand && now.holding ? `   at rest ${heldWords(now)}` : "";
@@ -245,15 +296,29 @@ const buildTable = () => {
   if (rows.length) row("", "col", ["position", "velocity", "acceleration"]);
   for (const each of rows) {
     const line = row(each.label, "row", ["", "", ""]);
-    line.forEach((cell, order) => cells.push([cell, ({ motion }) =>
-      motion ? words(valueOf(each, order, motion), each.unit, order) : "–"]));
+    line.forEach((cell, order) => cells.push([cell, ({ motion }, then) => {
+      const { shown, noise } = each.scales[order], x = motion && valueOf(each, order, motion);
+      const by = motion && then?.motion ? changed(x, valueOf(each, order, then.motion), shown, noise) : "";
+      return motion ? inScale(x, shown, noise) + by : "–";
+    }]));
   }
-  if (efforts.length) row("", "col", ["force"]);
-  efforts.forEach(({ label, unit }, k) => {
-    const [cell] = row(label, "row", [""]);
-    cells.push([cell, ({ forces }) => (forces ? words(forces[k], unit) : "–")]);
-  });
+  const kinds = { N: "force", "N·m": "torque", W: "power" };
+  let kind = null;
+  const headed = (unit) => {
+    const own = kinds[unit] ?? "value";
+    if (own !== kind) row("", "col", [own]);
+    kind = own;
+  };
+  for (const each of grouped(efforts, ({ unit }) => kinds[unit]).flat()) {
+    headed(each.unit);
+    const [cell] = row(each.label, "row", [""]), k = efforts.indexOf(each);
+    cells.push([cell, ({ forces }, then) => {
+      const { shown, noise } = each.scales[0], by = forces && then?.forces ? changed(forces[k], then.forces[k], shown, noise) : "";
+      return forces ? inScale(forces[k], shown, noise) + by : "–";
+    }]);
+  }
   if (MACHINE.holding) {
+    headed(holds.unit);
     const [cell] = row(`${driven} at rest`, "row", [""]);
     cell.className = "range";
     cells.push([cell, heldWords]);
@@ -270,10 +335,11 @@ const tellValues = (now) => {
     return;
   }
   told = time;
-  for (const [cell, of] of cells) cell.textContent = of(now);
+  const then = kept && answersOf(kept, state.q);
+  for (const [cell, of] of cells) cell.textContent = of(now, then);
 };
 
-/// The samples as a table of comma-separated values in SI units.
+/// The samples as a table of comma-separated values in SI units, under the state that they belong to.
 const csv = () => {
   const quoted = (text) => (/[",]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const { name, unit } = inputs[state.axis], per = ["", "/s", "/s²"];
@@ -283,8 +349,14 @@ const csv = () => {
     `${name} [${unit}]`,
     ...orders.map(([{ label, unit }, order]) => `${["", "velocity of ", "acceleration of "][order]}${label} [${unit}${per[order]}]`),
     ...efforts.map(({ label, unit }) => `${label} [${unit}]`),
-    ...held.map((way) => `${driven} at rest ${way}`),
+    ...held.map((way) => `${driven} at rest ${way} [${holds.unit}]`),
     "reason",
+  ];
+  const set = [
+    ...inputs.flatMap(({ name, unit }, k) => (k === state.axis ? [[`rate of ${name} [${unit}/s]`, state.rate]] : [[`${name} [${unit}]`, state.q[k]]])),
+    ...params.map(({ name, words, unit, size }, k) =>
+      (words ? [name, words[state.p[k] > 0 ? 0 : 1]] : [`${name} [${unit}]`, +(state.p[k] / size).toPrecision(15)])),
+    ...loads.map(({ name, unit }, k) => [`${name} [${unit}]`, state.l[k]]),
   ];
   const lines = samples.map(({ x, motion, forces, holding, refused }) => [
     x,
@@ -293,5 +365,7 @@ const csv = () => {
     ...held.map((_, k) => (holding ? holding[k] : "")),
     refused ? why(refused) : "",
   ]);
-  return `${[head, ...lines].map((line) => line.map((cell) => quoted(String(cell))).join(",")).join("\n")}\n`;
+  const table = [head, ...lines].map((line) => line.map((cell) => quoted(String(cell))).join(","));
+  const above = set.map(([name, value]) => `# ${name} = ${value}`);
+  return [`# ${PLAN.name}`, ...above, ...table, ""].join("\n");
 };

@@ -7,7 +7,7 @@ use crate::sketch::Drawn;
 /// A solver that has a page; implemented by generated code.
 pub trait Paged: Drawn {
     /// The declaration as a page has it.
-    const PAGE: Declared;
+    const PAGE: Declared<'static>;
 
     /// The parameters' values; of a mode +1 or −1.
     fn params(&self) -> Vec<f64>;
@@ -15,54 +15,60 @@ pub trait Paged: Drawn {
 
 /// The declaration as a page has it: texts, since every token of generated code costs the compiler time.
 #[derive(Clone, Copy, Debug)]
-pub struct Declared {
+pub struct Declared<'a> {
+    /// An object of JavaScript: the names of all parts, and the statements that place them.
+    pub plan: &'a str,
     /// An object of JavaScript, the formulas among its fields.
-    pub script: &'static str,
+    pub script: &'a str,
     /// The text of the declaration.
-    pub text: &'static str,
+    pub text: &'a str,
     /// The inputs, a `Setting` a line.
-    pub inputs: &'static str,
+    pub inputs: &'a str,
     /// The parameters.
-    pub params: &'static str,
+    pub params: &'a str,
     /// The loads.
-    pub loads: &'static str,
+    pub loads: &'a str,
     /// The names that curves may be asked of, outputs and forces, a line each.
-    pub outputs: &'static str,
+    pub outputs: &'a str,
 }
 
-impl Declared {
+impl<'a> Declared<'a> {
     /// All of it, in the order of the fields.
     #[must_use]
-    pub const fn new([script, text, inputs, params, loads, outputs]: [&'static str; 6]) -> Self {
-        Self { script, text, inputs, params, loads, outputs }
+    pub const fn new([plan, script, text, inputs, params, loads, outputs]: [&'a str; 7]) -> Self {
+        Self { plan, script, text, inputs, params, loads, outputs }
     }
 }
 
 /// A number or a mode that a reader may set.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Setting {
-    pub name: &'static str,
+pub(super) struct Setting<'a> {
+    pub name: &'a str,
     /// The unit in which the declaration writes it; nothing for a mode.
-    pub unit: &'static str,
+    pub unit: &'a str,
     /// The unit in SI.
     pub size: f64,
     /// The words for +1 and −1.
-    pub modes: Option<[&'static str; 2]>,
-    pub docs: &'static str,
+    pub modes: Option<[&'a str; 2]>,
+    pub docs: &'a str,
+    /// The value in the pose in which the mechanism is drawn.
+    pub drawn: Option<f64>,
 }
 
 /// The settings of a text. A line holds a name, a unit, its size in SI and what the declaration says about the
-/// number, with tabs between; of a mode the two words in place of unit and size.
-pub(super) fn settings(text: &'static str) -> Vec<Setting> {
+/// number, with tabs between, and of an input of a drawing its value there; of a mode the two words in place of unit
+/// and size.
+pub(super) fn settings(text: &str) -> Vec<Setting<'_>> {
     text.lines().filter_map(setting).collect()
 }
 
-fn setting(line: &'static str) -> Option<Setting> {
+fn setting(line: &str) -> Option<Setting<'_>> {
     let mut parts = line.split('\t');
     let (name, unit, size, docs) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
+    let drawn = parts.next().and_then(|value| value.parse().ok());
     Some(match size.parse() {
-        Ok(size) => Setting { name, unit, size, modes: None, docs },
-        Err(_) => Setting { name, unit: "", size: 1.0, modes: Some([unit, size]), docs },
+        Ok(size) => Setting { name, unit, size, modes: None, docs, drawn },
+        Err(_) => Setting { name, unit: "", size: 1.0, modes: Some([unit, size]), docs, drawn },
     })
 }
 
@@ -70,7 +76,7 @@ fn setting(line: &'static str) -> Option<Setting> {
 pub(super) struct PageOf<S>(core::marker::PhantomData<S>);
 
 impl<S: Paged> PageOf<S> {
-    pub(super) const PAGE: Declared = S::PAGE;
+    pub(super) const PAGE: Declared<'static> = S::PAGE;
 }
 
 #[cfg(test)]
@@ -79,10 +85,12 @@ mod tests {
 
     #[test]
     fn a_line_is_a_number_or_a_mode() {
-        let number = Setting { name: "l", unit: "mm", size: 0.001, modes: None, docs: "The bar." };
-        let mode =
-            Setting { name: "m", unit: "", size: 1.0, modes: Some(["left", "right"]), docs: "" };
+        let (docs, drawn) = ("The bar.", None);
+        let number = Setting { name: "l", unit: "mm", size: 0.001, modes: None, docs, drawn };
+        let modes = Some(["left", "right"]);
+        let mode = Setting { name: "m", unit: "", size: 1.0, modes, docs: "", drawn };
         assert_eq!(settings("l\tmm\t0.001\tThe bar.\nm\tleft\tright\t\n"), [number, mode]);
+        assert_eq!(settings("l\tmm\t0.001\tThe bar.\t-0.5\n")[0].drawn, Some(-0.5));
         assert_eq!(settings(""), []);
     }
 }

@@ -4,7 +4,8 @@
 /// point, and for a crank that an equation turns. An input is found by what a little of it does, either way.
 const crankOf = (point) => {
   const turned = statements.flatMap(({ members }) => members).filter((member) => member.turned);
-  const crank = turned.find(({ link, pivot }) => pivot !== point && joints[link].includes(point));
+  // About a pivot that moves no angle brings the point to the pointer.
+  const crank = turned.find(({ link, pivot }) => grounds.has(pivot) && pivot !== point && joints[link].includes(point));
   if (!crank) return null;
   const angle = (q) => {
     const { cos, sin } = new Pose(q).link(crank.link) ?? { cos: NaN, sin: NaN };

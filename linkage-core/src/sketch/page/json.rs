@@ -35,8 +35,3 @@ pub(super) fn object<const N: usize>(fields: [(&str, String); N]) -> String {
     let fields = fields.map(|(name, value)| format!("{name}:{value}"));
     format!("{{{}}}", fields.join(","))
 }
-
-/// A value, or `null`.
-pub(super) fn option(value: Option<impl Display>) -> String {
-    value.map_or("null".to_string(), |value| value.to_string())
-}

@@ -27,29 +27,32 @@ let chartsWidth = 0;
 
 /// Scale and origin by which everything fits; all nodes anew.
 const fit = () => {
+  findRanges();
   const poses = surveyed();
   chartsWidth = $("#charts").clientWidth;
   survey(poses);
   const [[x0, x1], [y0, y1]] = boxOf(poses);
-  const wasSmall = isSmall;
-  isSmall = Math.max(x1 - x0, y1 - y0) < 2;
-  if (isSmall !== wasSmall || !charts.length) buildCharts();
+  extent = Math.max(x1 - x0, y1 - y0);
+  if (!charts.length) buildCharts();
   const width = figure.parentElement.clientWidth, spare = width < 500 ? 40 : efforts.some(({ point }) => point !== null) ? 96 : 56;
   const least = width < 500 ? 240 : 300, most = Math.max(320, Math.min(0.62 * innerHeight, 560));
-  const [wide, high] = [Math.max(x1 - x0, 1e-6), y1 - y0];
+  const [wide, high] = [Math.max(x1 - x0, 1e-3 * (y1 - y0), 1e-12), y1 - y0];
   const inner = clamp(((width - 2 * spare) * high) / wide + 2 * spare, least, most);
-  const scale = Math.min((width - 2 * spare) / wide, (inner - 2 * spare) / Math.max(high, 1e-6));
+  const scale = Math.min((width - 2 * spare) / wide, (inner - 2 * spare) / Math.max(high, 1e-3 * wide));
   // Below stands the scale.
   Object.assign(view, { scale, width, height: inner + 16, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 });
   sample();
   build(poses);
+  setAll();
 };
 
 const drawCurves = () => {
   tracedPoints.forEach((point, k) => {
     trace(nodes.trace[k], lineThrough(samples.map(({ pose }) => !pose.error && onPage(pose.point(point)))));
   });
-  charts.forEach((chart) => drawChart(chart, chartsWidth));
+  // One margin for all, so that a cursor stands in one line.
+  const left = Math.max(...charts.map((chart) => prepared(chart).room), 34);
+  charts.forEach((chart) => drawChart(chart, chartsWidth, left));
   // A motion that is none is left out, unless nothing else is there.
   const isAtRest = charts.every(({ isFlat }) => isFlat);
   for (const { svg, isFlat } of charts) svg.style.display = isFlat && !isAtRest ? "none" : "";
@@ -66,15 +69,17 @@ const drawPose = () => {
   drawSprings(pose);
   drawJoints(pose, bodies);
   drawGap(pose);
-  drawForces(pose, now.forces);
+  drawForces(pose, now);
+  drawPicked(pose, now);
   const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`.replaceAll(" ", "\u00a0")).join("  ·  ");
-  $("#state").textContent = now.refused ? why(now.refused) : said;
+  $("#state").textContent = now.refused ? `${said}: ${why(now.refused)}` : said;
   $("#state").classList.toggle("warn", !!now.refused);
   const held = drag && pose.point(drag.point);
   show(nodes.halo, held, held && onPage(held));
   setInputs();
   drawCursors(now);
   tellValues(now);
+  tellPicked(pose, now);
 };
 
 /// Other inputs. The curves over one input change where another one does.
@@ -88,7 +93,8 @@ const go = (q) => {
 const setAxis = (k) => {
   Object.assign(state, { axis: k, rate: inputs[k].rate });
   $("#axis").value = k;
-  setters.rate(state.rate);
+  setAll();
+  setPace();
   draw(CURVES);
 };
 
@@ -100,21 +106,33 @@ const placeOf = ({ clientX, clientY }) => {
   return [((clientX - box.left) * pixel - view.x) / view.scale, (view.y - (clientY - box.top) * pixel) / view.scale];
 };
 const movable = [...used].filter((point) => !grounds.has(point));
-const pointNear = (place, far) => {
+const pointNear = (place, far, among = movable) => {
   const pose = new Pose(state.q);
-  const near = movable.map((point) => [pose.point(point), point]).filter(([at]) => at)
+  const near = among.map((point) => [pose.point(point), point]).filter(([at]) => at)
     .map(([at, point]) => [apart(at, place) * view.scale, point]).filter(([distance]) => distance < far);
   return near.sort((a, b) => a[0] - b[0])[0]?.[1];
 };
 
+/// What was pressed: released in the same place, it is asked for.
+let pressed = null;
+on(figure, "pointerup", ({ clientX, clientY, isPrimary }) => {
+  if (!pressed || !isPrimary || apart(pressed.at, [clientX, clientY]) > 3) return;
+  const { point, link } = pressed;
+  pressed = null;
+  if (point !== undefined || link || picked) pick(point !== undefined ? { point } : link);
+});
+
+/// One finger, or the main button of a mouse, takes a joint.
 on(figure, "pointerdown", (event) => {
+  if (drag || !event.isPrimary || event.button !== 0) return;
   const place = placeOf(event), point = pointNear(place, event.pointerType === "touch" ? 44 : 28);
+  pressed = { at: [event.clientX, event.clientY], point: pointNear(place, 14, [...used]), link: linkAt(event.target) };
   if (point === undefined) return;
   event.preventDefault();
   figure.focus({ preventScroll: true });
   figure.setPointerCapture(event.pointerId);
   play(false);
-  drag = { point, crank: crankOf(point), offset: minus(new Pose(state.q).point(point), place) };
+  drag = { point, pointer: event.pointerId, crank: crankOf(point), offset: minus(new Pose(state.q).point(point), place) };
   draw(POSE);
 });
 // A finger on a joint does not scroll.
@@ -125,11 +143,15 @@ on(figure, "pointermove", (event) => {
     figure.style.cursor = pointNear(place, 28) === undefined ? "" : "grab";
     return;
   }
+  if (event.pointerId !== drag.pointer) return;
   const to = place.map((part, k) => part + drag.offset[k]), { crank, point } = drag;
-  go(crank ? turned(crank, point, to, state.q) : towards(point, to, state.q));
+  // A crank goes into a gap and out of it; any other joint is dragged on from the last pose that is whole.
+  const from = crank || !new Pose(state.q).error ? state.q : lastGood?.q ?? state.q;
+  go(crank ? turned(crank, point, to, from) : towards(point, to, from));
 });
 for (const end of ["pointerup", "pointercancel"]) {
-  on(figure, end, () => {
+  on(figure, end, ({ pointerId }) => {
+    if (pointerId !== drag?.pointer) return;
     drag = null;
     draw(POSE);
   });
@@ -161,9 +183,19 @@ on(figure, "keydown", (event) => {
 
 // ---- play -------------------------------------------------------------------------------------------
 
-/// Seconds of a turn, of a way there and back, and of the path.
+/// Seconds of a path. Anything else plays at its rate, in a time that runs so much slower or faster than ours.
 const SECONDS = 5;
-let playing = false, phase = 0, sense = 1, then = null;
+let playing = false, phase = 0, sense = 1, then = null, pace = 1;
+const PACES = [1000, 500, 200, 100, 50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
+const paceWords = (x) => (x < 1 ? `${Math.round(1 / x)} × slower` : x > 1 ? `${x} × faster` : "real time");
+
+/// The pace at which a turn, or a way there and back, takes about five seconds.
+const setPace = () => {
+  const input = inputs[state.axis], own = (sizeOf(input) * (input.turns ? 1 : 2)) / Math.abs(state.rate || input.rate || 1);
+  const off = (x) => Math.abs(Math.log(own / SECONDS / x));
+  pace = PACES.reduce((best, x) => (off(x) < off(best) ? x : best));
+  $("#pace").value = pace;
+};
 
 const play = (wanted) => {
   if (wanted === playing) return;
@@ -177,23 +209,24 @@ const play = (wanted) => {
 
 const tick = (time) => {
   if (!playing) return;
-  const share = then === null ? 0 : Math.min((time - then) / 1e3, 0.1) / SECONDS;
+  const seconds = then === null ? 0 : Math.min((time - then) / 1e3, 0.1);
   then = time;
   if (PAGE.path.length) {
     const { length } = PAGE.path;
-    phase = (phase + share * length) % length;
+    phase = (phase + (seconds / SECONDS) * length) % length;
     const k = Math.floor(phase), [a, b] = [PAGE.path[k], PAGE.path[(k + 1) % length]];
     go(a.map((x, n) => x + (b[n] - x) * (phase - k)));
   } else {
-    go(withInput(state.axis, stepTo(share)));
+    go(withInput(state.axis, stepTo(state.rate * pace * seconds)));
   }
   requestAnimationFrame(tick);
 };
 
-/// One input's next value: round by round, and back where it ends or the machine cannot follow.
-const stepTo = (share) => {
-  const input = inputs[state.axis], x = state.q[state.axis];
-  const next = (way) => x + way * share * sizeOf(input) * (input.turns ? 1 : 2) * Math.sign(state.rate || 1);
+/// One input's next value, a step on: round by round, and back where it ends or the machine cannot follow. No step
+/// leaps over a gap.
+const stepTo = (step) => {
+  const input = inputs[state.axis], x = state.q[state.axis], most = sizeOf(input) / 12;
+  const next = (way) => x + way * clamp(step, -most, most);
   const isFree = (x) => within(x, input) === x && !new Pose(withInput(state.axis, x)).error;
   if (!isFree(next(sense)) && isFree(x)) sense = -sense;
   const to = next(sense);
@@ -222,52 +255,84 @@ const choose = (id, names) => {
 const reset = () => {
   play(false);
   Object.assign(state, { q: inputs.map(({ at }) => at), p: params.map(({ value }) => value), l: loads.map(({ value }) => value) });
+  Object.assign(state, { axis: 0, rate: inputs[0].rate });
+  $("#axis").value = 0;
   begin();
-  setAll();
+  setPace();
   lastGood = null;
   draw(SCALE);
   remember();
 };
 
+const offered = PAGE.curves.length ? PAGE.curves : [...new Set([...rows.map(({ output }) => output), ...efforts.map(({ effort }) => effort)])];
+
+/// What the address says, at first and whenever it is another one.
+const take = () => {
+  recall(takeAsked());
+  $("#shown").value = state.shown;
+  $("#axis").value = state.axis;
+  buildCharts();
+  setPace();
+  draw(SCALE);
+};
+
 const start = () => {
-  const all = [...rows.map(({ output }) => output), ...efforts.map(({ effort }) => effort)];
-  const offered = PAGE.curves.length ? PAGE.curves : [...new Set(all)];
   const traced = tracedPoints.map((point) => PLAN.points[point]).find((name) => offered.includes(name));
   state.shown = PAGE.curves[0] ?? traced ?? rows.at(-1)?.output ?? offered.at(-1);
   buildControls((what) => {
     draw(what);
     remember();
   });
-  const isRecalled = location.hash.length > 1;
-  if (isRecalled) recall();
-  else begin();
-  choose("#shown", offered.map((name) => [name, name]));
+  const titleOf = (name) => rows.find(({ output }) => output === name)?.title ?? name;
+  choose("#shown", offered.map((name) => [name, titleOf(name)]));
   choose("#axis", inputs.map(({ name }, k) => [k, name]));
-  $("#shown").value = state.shown;
+  choose("#pace", PACES.map((x) => [x, paceWords(x)]));
+  choose("#length", Object.keys(UNITS.length).map((unit) => [unit, unit]));
+  choose("#angle", Object.keys(UNITS.angle).map((unit) => [unit, unit]));
   $("#axis").parentElement.hidden = inputs.length < 2;
   $("#results").hidden = !offered.length;
+  $("#pace").hidden = PAGE.path.length > 0;
   buildTable();
+  findRanges();
+  const isRecalled = location.hash.length > 1 || asked !== "";
+  document.body.classList.toggle("inside", isInside);
+  if (!isRecalled) begin();
+  take();
   fit();
-  setAll();
-  draw(SCALE);
   const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
   if (!isStill && !isRecalled) play(true);
+  tellParent("ready");
 };
 
 on($("#play"), "click", () => play(!playing));
 on($("#reset"), "click", reset);
 on($("#copy"), "click", copyDeclaration);
 on($("#csv"), "click", () => {
-  const href = URL.createObjectURL(new Blob([csv()], { type: "text/csv" }));
-  element("a", { href, download: `${PLAN.name}.csv` }).click();
-  URL.revokeObjectURL(href);
+  save(new Blob([csv()], { type: "text/csv" }), "csv");
 });
+on($("#keep"), "click", keep);
+for (const ending of ["svg", "png"]) {
+  on($(`#${ending}`), "click", () => saveDrawing([figure], ending));
+  on($(`#charts_${ending}`), "click", () => saveDrawing(charts.map(({ svg }) => svg).filter((svg) => svg.style.display !== "none"), ending));
+}
 on($("#shown"), "change", ({ target }) => {
   state.shown = target.value;
   buildCharts();
   draw(CURVES);
+  remember();
 });
-on($("#axis"), "change", ({ target }) => setAxis(+target.value));
+on($("#axis"), "change", ({ target }) => {
+  setAxis(+target.value);
+  remember();
+});
+on($("#pace"), "change", ({ target }) => pace = +target.value);
+for (const kind of ["length", "angle"]) {
+  on($(`#${kind}`), "change", ({ target }) => {
+    chosen[kind] = target.value;
+    draw(SCALE);
+  });
+}
+addEventListener("hashchange", take);
 let lastWidth = 0;
 new ResizeObserver(() => {
   const width = figure.parentElement.clientWidth;

@@ -21,7 +21,10 @@ const made = (tag, attributes, parent) => {
   parent?.append(node);
   return node;
 };
-const trace = (node, d) => node.setAttribute("d", d ?? "");
+const trace = (node, d) => {
+  // A frame costs most by what it changes.
+  if (node.traced !== (node.traced = d ?? "")) node.setAttribute("d", node.traced);
+};
 const shiftTo = (spot) => `translate(${spot.map(short)})`;
 /// Shows a node, at a spot if there is one, or hides it.
 const show = (node, isShown, spot) => {

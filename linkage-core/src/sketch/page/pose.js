@@ -108,14 +108,14 @@ const seenFrom = ({ at, cos, sin }, [x, y]) => {
 const atRest = inputs.map(() => 0);
 const rates = () => inputs.map((_, k) => (k === state.axis ? state.rate : 0));
 
-/// Outputs, forces at constant rate and the drives between which friction holds the machine at rest, where they
-/// are there, and the first reason why outputs or forces are not.
+/// Outputs, forces at constant rate, the drives between which friction holds the machine at rest and the loads that are
+/// applied, where they are there, and the first reason why outputs or forces are not.
 const answersAt = ({ q, error }) => {
   const found = { refused: error };
-  for (const name of ["motion", "forces", "holding"]) {
+  for (const name of ["motion", "forces", "holding", "applied"]) {
     const { numbers, error: own } = (!error && MACHINE[name]?.(state.p, q, rates(), atRest, state.l)) || {};
     found[name] = own ? null : numbers;
-    if (name !== "holding") found.refused ??= own;
+    if (name === "motion" || name === "forces") found.refused ??= own;
   }
   return found;
 };
@@ -133,12 +133,14 @@ const KINDS = {
 const rows = (() => {
   const count = (of) => MACHINE.outputs.reduce((sum, { kind }) => sum + KINDS[kind].numbers[of], 0);
   let [position, rate] = [0, count(0)];
-  const found = MACHINE.outputs.flatMap(({ name, kind, unit }) => {
+  const found = MACHINE.outputs.flatMap(({ name, title = name, kind, unit }) => {
     const { numbers, rows } = KINDS[kind], isTurning = numbers[0] > numbers[1];
     const own = rows.map((row, k) => ({
       output: name,
+      title,
       row,
-      label: row ? `${name}.${row}` : name,
+      label: row ? `${title}.${row}` : title,
+      scales: [],
       isAngle: row === "angle",
       unit: row === "angle" ? "rad" : row ? "m" : unit,
       at: [position + k + (isTurning && k > 0 ? 1 : 0), rate + k, rate + k + count(1)],
@@ -156,38 +158,18 @@ const valueOf = (row, order, motion) =>
 
 /// The scalar rows of forces, in the order of their numbers.
 const efforts = MACHINE.efforts.flatMap(({ name, rows, units, point }) =>
-  rows.map((row, k) => ({ effort: name, row, label: row ? `${name}.${row}` : name, unit: units[k], point })));
+  rows.map((row, k) => ({ effort: name, row, label: row ? `${name}.${row}` : name, unit: units[k], point, scales: [] })));
 
 // ---- words ------------------------------------------------------------------------------------------
 
-/// A number with some digits, and a minus sign as long as a plus.
-const digits = (x, count = 4) => {
-  if (!isFinite(x)) return "–";
-  if (Math.abs(x) < 1e-12) return "0";
-  const power = Math.floor(Math.log10(Math.abs(x)));
-  const text = power > 6 || power < -6 ? x.toExponential(count - 1) : x.toFixed(Math.min(Math.max(count - 1 - power, 0), 6));
-  return text.replaceAll("-", "−");
+/// An input in words. One that turns has no more than a turn; any other has the number of its axis.
+const inputWords = (k, x = state.q[k]) => {
+  const { turns, unit, from, to } = inputs[k];
+  return inScale(turns ? turnedInto(x, from, to) : x, shownIn(unit, 0, Math.max(Math.abs(from), Math.abs(to))));
 };
 
-/// The unit that a quantity is shown in, and how many of it there are in an SI unit. `isSmall` is set when
-/// the picture is fitted.
-let isSmall = true;
-const shownIn = (unit, order) => {
-  if (order === 0 && unit === "rad") return ["°", 180 / Math.PI];
-  if (order === 0 && unit === "m") return isSmall ? ["mm", 1e3] : ["m", 1];
-  const plain = unit === "1" ? "" : unit;
-  return [plain + ["", "/s", "/s²"][order] || "", 1];
-};
-const withUnit = (x, name) => `${digits(x)}${name === "°" ? "" : " "}${name}`.trim();
-const words = (x, unit, order = 0) => {
-  const [name, times] = shownIn(unit, order);
-  return withUnit(x * times, name);
-};
-
-/// An angle of one turn.
-const wrapped = (angle) => angle - TURN * Math.floor(angle / TURN);
-const inputWords = (k, x = state.q[k]) =>
-  words(inputs[k].isAngle ? wrapped(x) : x, inputs[k].unit);
+/// An angle by whole turns into a range of one; both ends stay what they are, as sliders round them.
+const turnedInto = (x, from, to) => (x >= from - 1e-9 && x <= to + 1e-9 ? x : from + wrapped(x - from));
 
 /// The reason why a pose cannot be used, as the Rust crate's errors say it.
 const why = (error) => {

@@ -10,11 +10,20 @@ use super::json::{list, number, object, string, strings};
 use crate::sketch::SketchError;
 use crate::sketch::traces::named;
 
-/// The wishes for sliders, by name.
+/// What is asked of a page.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Wishes {
+pub struct Wishes {
+    /// A heading in place of the mechanism's name.
+    pub title: Option<String>,
+    /// The points whose paths are drawn.
+    pub traces: Vec<String>,
+    /// The outputs and forces whose curves are offered.
+    pub curves: Vec<String>,
+    /// The ends of sliders, by name.
     pub ranges: Vec<(String, RangeInclusive<f64>)>,
+    /// The rates of inputs, by name.
     pub rates: Vec<(String, f64)>,
+    /// The values of loads, by name.
     pub loads: Vec<(String, f64)>,
     /// The inputs of each pose that Play runs through.
     pub path: Vec<Vec<f64>>,
@@ -31,10 +40,12 @@ impl Wishes {
     }
 
     /// Every name that is asked for is one of the declaration.
-    pub(super) fn check(&self, declared: &Declared) -> Result<(), SketchError> {
-        let names = |text| -> Vec<&'static str> {
+    pub(super) fn check(&self, declared: &Declared<'_>) -> Result<(), SketchError> {
+        fn names(text: &str) -> Vec<&str> {
             settings(text).iter().map(|setting| setting.name).collect()
-        };
+        }
+        let outputs: Vec<&str> = declared.outputs.lines().collect();
+        self.curves.iter().try_for_each(|name| named(&outputs, name, "output").map(drop))?;
         let (inputs, loads) = (names(declared.inputs), names(declared.loads));
         let all = [inputs.clone(), names(declared.params), loads.clone()].concat();
         let ranges = self.ranges.iter().map(|(name, _)| (&all, name, "input, parameter or load"));
@@ -44,30 +55,35 @@ impl Wishes {
         asked.try_for_each(|(known, name, kind)| named(known, name, kind).map(drop))
     }
 
-    /// The inputs: an angle without a range turns fully, a length has that of the path.
-    ///
-    /// # Errors
-    /// `NoRange` for a length of which nothing is known.
-    pub(super) fn inputs(&self, declared: &Declared) -> Result<String, SketchError> {
-        let input = |(nth, input): (usize, Setting)| {
+    /// The inputs: an angle without a range turns fully, a length has that of the path, and one without any is
+    /// found by the page. They begin at the path, or in the pose in which the mechanism is drawn.
+    pub(super) fn inputs(&self, declared: &Declared<'_>) -> String {
+        list(settings(declared.inputs).into_iter().enumerate().map(|(nth, input)| {
             let is_angle = input.unit == "rad";
             let values = self.path.iter().filter_map(|pose| pose.get(nth).copied());
             let travelled = values.fold(None, |range: Option<[f64; 2]>, x| {
                 Some(range.map_or([x, x], |[least, most]| [least.min(x), most.max(x)]))
             });
-            let wished = self.range(input.name);
+            let wished = self.range(input.name).filter(|[from, to]| from < to);
             let travelled = travelled.filter(|[from, to]| !is_angle && from < to);
-            let [from, to] = match wished.or(travelled) {
-                Some([from, to]) if from < to => [from, to],
-                _ if is_angle => [0.0, TAU],
-                _ => return Err(SketchError::NoRange { input: input.name }),
-            };
+            let ends = wished.or(travelled).or(is_angle.then_some([0.0, TAU]));
             let first = self.path.first().and_then(|pose| pose.get(nth).copied());
-            let middle = 0.5 * (from + to);
-            let at = first.unwrap_or(if is_angle && wished.is_none() { 1.0 } else { middle });
-            let usual = if is_angle { TAU } else { 0.25 * (to - from) };
+            let within =
+                |x: &f64| ends.is_none_or(|[from, to]| wished.is_none() || (from..=to).contains(x));
+            let middle = match ends {
+                Some(_) if is_angle && wished.is_none() => 1.0,
+                Some([from, to]) => 0.5 * (from + to),
+                None => f64::NAN,
+            };
+            let at = first.or(input.drawn.filter(within)).unwrap_or(middle);
+            let usual = match ends {
+                _ if is_angle => TAU,
+                Some([from, to]) => 0.25 * (to - from),
+                None => f64::NAN,
+            };
             let rate = Self::of(&self.rates, input.name).copied().unwrap_or(usual);
-            Ok(object([
+            let [from, to] = ends.unwrap_or([f64::NAN; 2]);
+            object([
                 ("name", string(input.name)),
                 ("docs", string(input.docs)),
                 ("unit", string(input.unit)),
@@ -77,13 +93,11 @@ impl Wishes {
                 ("to", number(to)),
                 ("at", number(at)),
                 ("rate", number(rate)),
-            ]))
-        };
-        let inputs = settings(declared.inputs).into_iter().enumerate().map(input);
-        Ok(list(inputs.collect::<Result<Vec<_>, _>>()?))
+            ])
+        }))
     }
 
-    pub(super) fn params(&self, declared: &Declared, values: &[f64]) -> String {
+    pub(super) fn params(&self, declared: &Declared<'_>, values: &[f64]) -> String {
         list(settings(declared.params).iter().zip(values).map(
             |(param, &value)| match param.modes {
                 Some(words) => object([
@@ -97,7 +111,7 @@ impl Wishes {
         ))
     }
 
-    pub(super) fn loads(&self, declared: &Declared) -> String {
+    pub(super) fn loads(&self, declared: &Declared<'_>) -> String {
         list(settings(declared.loads).iter().map(|load| {
             let value = Self::of(&self.loads, load.name).copied().unwrap_or(0.0);
             let size = if value == 0.0 { IDLE } else { 2.0 * value.abs() };
@@ -105,7 +119,7 @@ impl Wishes {
         }))
     }
 
-    fn slider(&self, setting: &Setting, value: f64, usual: [f64; 2]) -> String {
+    fn slider(&self, setting: &Setting<'_>, value: f64, usual: [f64; 2]) -> String {
         let [from, to] = self.range(setting.name).unwrap_or(usual);
         object([
             ("name", string(setting.name)),
@@ -113,8 +127,9 @@ impl Wishes {
             ("unit", string(setting.unit)),
             ("size", number(setting.size)),
             ("value", number(value)),
-            ("from", number(from.min(value))),
-            ("to", number(to.max(value))),
+            // The least of a number and none is the number.
+            ("from", number(if from.is_nan() { from } else { from.min(value) })),
+            ("to", number(if to.is_nan() { to } else { to.max(value) })),
         ])
     }
 }
@@ -122,15 +137,14 @@ impl Wishes {
 /// A load of which nothing is known goes from minus this to this.
 const IDLE: f64 = 1000.0;
 
-/// From half to one and a half times the value; of none, a quarter turn or a hundred units either way.
-fn usual(param: &Setting, value: f64) -> [f64; 2] {
+/// From half to one and a half times the value. Of none, a quarter turn either way; how far another number goes from
+/// zero is found by the page, from the machine's size.
+fn usual(param: &Setting<'_>, value: f64) -> [f64; 2] {
+    let is_angle = matches!(param.unit, "deg" | "rad");
     if value == 0.0 {
-        let size =
-            if param.unit == "deg" || param.unit == "rad" { FRAC_PI_2 } else { 100.0 * param.size };
-        return [-size, size];
+        return if is_angle { [-FRAC_PI_2, FRAC_PI_2] } else { [f64::NAN; 2] };
     }
     let ends = [0.5 * value, 1.5 * value];
-    let [a, b] =
-        if matches!(param.unit, "deg" | "rad") { ends.map(|x| x.clamp(-PI, PI)) } else { ends };
+    let [a, b] = if is_angle { ends.map(|x| x.clamp(-PI, PI)) } else { ends };
     [a.min(b), a.max(b)]
 }

@@ -82,6 +82,8 @@ pub(super) fn style(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::vec::Vec;
+
     use super::*;
 
     #[test]
@@ -104,5 +106,44 @@ mod tests {
             assert_eq!(script(&[written]), squeezed, "{written}");
         }
         assert_eq!(style("a b { c: d, e;\n  f: g; }\n"), "a b{c:d,e;f:g}");
+    }
+
+    /// The lines on which a template begins within another one's expression: its end would be taken for the outer one's.
+    fn nested_templates(text: &str) -> Vec<usize> {
+        let (mut found, mut open, mut line) = (Vec::new(), Vec::new(), 1);
+        let mut letters = text.chars().peekable();
+        while let Some(letter) = letters.next() {
+            line += usize::from(letter == '\n');
+            match (open.last(), letter) {
+                (Some('`' | '"' | '\''), '\\') => drop(letters.next()),
+                (Some(&quote @ ('`' | '"' | '\'')), letter) if letter == quote => drop(open.pop()),
+                (Some('`'), '$') if letters.next_if_eq(&'{').is_some() => open.push('{'),
+                (Some('`' | '"' | '\''), _) => {}
+                (_, '/') if letters.peek() == Some(&'/') => {
+                    while letters.next_if(|&letter| letter != '\n').is_some() {}
+                }
+                (_, '`') => {
+                    if open.contains(&'`') {
+                        found.push(line);
+                    }
+                    open.push('`');
+                }
+                (_, '{' | '"' | '\'') => open.push(letter),
+                (Some('{'), '}') => drop(open.pop()),
+                _ => {}
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn no_template_stands_within_a_template() {
+        assert_eq!(nested_templates("`a ${b.map((c) => `${c}`)}`"), [1]);
+        assert_eq!(nested_templates("`a ${\"`\"}` + `b` // `${`\n"), [0; 0]);
+        use crate::sketch::page::assembled::{ARITHMETIC, FRICTION, READS, SEARCH, SHOWS};
+        for file in [&ARITHMETIC[..], &SEARCH, &FRICTION, &READS, &SHOWS].concat() {
+            let head = file.lines().next().unwrap_or_default();
+            assert_eq!(nested_templates(file), [0; 0], "{head}");
+        }
     }
 }

@@ -29,6 +29,14 @@ const build = (poses) => {
     path: made("path", { class: "arrow" }, nodes.forces),
     text: made("text", { class: "word force" }, nodes.forces),
   }));
+  const arrow = (kind) => ({
+    path: made("path", { class: `arrow ${kind}` }, nodes.forces),
+    text: made("text", { class: `word force ${kind}` }, nodes.forces),
+  });
+  nodes.applied = (MACHINE.appliedAt ?? []).map((point) => ({ ...arrow("applied"), point }));
+  nodes.rates = [arrow("velocity"), arrow("acceleration")];
+  nodes.forceScale = made("path", { class: "arrow" }, nodes.forces);
+  nodes.forceWords = made("text", { class: "word force" }, nodes.forces);
   nodes.halo = made("circle", { class: "halo", r: 13, visibility: "hidden" }, nodes.grip);
   drawGround(poses);
   placeNames(poses);
@@ -83,8 +91,8 @@ const drawGround = (poses) => {
   const bar = [5, 2, 1].map((step) => step * power).find((length) => length <= most) ?? power;
   const y = view.height - 14;
   made("path", { class: "scale", d: `M16 ${y}v-4v8v-4h${short(bar * view.scale)}v-4v8` }, nodes.ground);
-  const unit = bar < 0.9999 ? `${+(bar * 1e3).toPrecision(3)} mm` : `${+bar.toPrecision(3)} m`;
-  made("text", { class: "word", x: 24 + short(bar * view.scale), y: y + 4 }, nodes.ground).textContent = unit;
+  const [unit, times] = shownIn("m", 0, bar), words = withUnit(`${+(bar * times).toPrecision(3)}`, unit);
+  made("text", { class: "word", x: 24 + short(bar * view.scale), y: y + 4 }, nodes.ground).textContent = words;
 };
 
 // ---- names ------------------------------------------------------------------------------------------
@@ -256,23 +264,42 @@ const dashed = ({ at, radius, angle }, to) => {
   return `M${start}A${short(radius)} ${short(radius)} 0 0 1 ${end}${pathOf([at, to])}`;
 };
 
-/// Reactions of joints, to a scale by which the cycle's largest is 90 pixels long.
+/// Reactions of joints, to one scale, which stands below: the cycle's largest is 90 pixels long.
 let largestForce = 0;
-const drawForces = (pose, forces) => {
+/// An arrow with a head that is no longer than itself.
+const arrowTo = (from, to) => {
+  const head = Math.min(9, 0.6 * apart(from, to));
+  return pathOf([from, to]) + pathOf([along(to, from, head, 0.45 * head), to, along(to, from, head, -0.45 * head)]);
+};
+/// A round force at the foot of the picture, as long as arrows of it are.
+const drawForceScale = (most, [unit, times]) => {
+  const power = 10 ** Math.floor(Math.log10(largestForce * times)), round = [5, 2, 1].map((step) => step * power).find((x) => x <= largestForce * times) ?? power;
+  const length = (round / times / largestForce) * most, y = view.height - 14, right = view.width - 16;
+  nodes.forceWords.textContent = withUnit(digits(round, 1), unit);
+  const wide = 6.7 * nodes.forceWords.textContent.length, x = right - wide - 8;
+  trace(nodes.forceScale, arrowTo([x - length, y], [x, y]));
+  show(nodes.forceWords, true, [x + 8, y + 4]);
+};
+const drawForces = (pose, { forces, applied }) => {
   // No arrow leaves the picture, whose sides are that far from the machine.
-  const isSlim = view.width < 500, most = isSlim ? 36 : 90;
+  const isSlim = view.width < 500, most = isSlim ? 36 : 90, isAny = (nodes.arrows.length || nodes.applied.length) && largestForce > 0;
+  const shown = isAny && shownIn("N", 0, largestForce);
+  show(nodes.forceScale, isAny);
+  show(nodes.forceWords, isAny);
+  if (isAny) drawForceScale(most, shown);
+  drawApplied(pose, { applied }, isAny ? most / largestForce : 0, shown || ["N", 1]);
   const pins = [...used].map((point) => pose.point(point)).filter((at) => at).map(onPage);
   for (const { path, text, effort, point } of nodes.arrows) {
     const at = pose.point(point), k = efforts.findIndex((row) => row.effort === effort);
     const force = forces && [forces[k], forces[k + 1]], size = force ? Math.hypot(...force) : 0;
-    const length = (size / largestForce) * most, isShown = at && length > 2;
+    const length = (size / largestForce) * most, isShown = at && length > 1;
     show(path, isShown);
     show(text, false);
     if (!isShown) continue;
-    const from = onPage(at), to = [from[0] + (force[0] / size) * Math.max(length, 15), from[1] - (force[1] / size) * Math.max(length, 15)];
-    trace(path, pathOf([from, to]) + pathOf([along(to, from, 9, 4), to, along(to, from, 9, -4)]));
+    const from = onPage(at), to = [from[0] + (force[0] / size) * length, from[1] - (force[1] / size) * length];
+    trace(path, arrowTo(from, to));
     if (length < 25 || isSlim) continue;
-    text.textContent = `${effort} ${digits(size, 3)} N`;
+    text.textContent = `${effort} ${withUnit(digits(size * shown[1], 3), shown[0])}`;
     const wide = 6.7 * text.textContent.length, sides = [to[0] + 6, to[0] - 6 - wide];
     if (to[0] < from[0]) sides.reverse();
     const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, to[1] + dy]));

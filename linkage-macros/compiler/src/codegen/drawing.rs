@@ -1,12 +1,13 @@
 //! The code for the feature `sketch`: the places and names of all parts, and the part that each depends on.
 //! The drawing itself is in the run-time crate, once.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Drawing;
 use super::docs::words;
 use super::identifiers::{generated, text};
+use super::plan::{self, Placed};
 use super::rust::context::Context;
 use super::rust::paths::Paths;
 use super::rust::{formulas, root_functions};
@@ -14,8 +15,7 @@ use super::script::page;
 use crate::interface::entries::ArgumentKind;
 use crate::lower::routine::Lowered;
 use crate::lower::{APPLIED, PLACED};
-use crate::model::acting::{Ends, Force, Spring};
-use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Slideway, Step};
+use crate::model::mechanism::Mechanism;
 
 /// Nothing where the run-time crate has no feature `sketch`: Cargo may turn the macro's on for
 /// another build of that crate.
@@ -113,18 +113,14 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
     let [result, record, error, applied, drawn] =
         ["Result", "Applied", "SolveError", "applied", "Drawn"].map(path);
     let float = &cx.names.scalar;
-    let number = quote!(#float);
+    let scalar = quote!(#float);
     let arguments = cx.signatures.arguments(&routine.given);
     let (declared, converted) =
-        (arguments.declared(&cx.paths, &number), arguments.converted(&cx.paths, &number));
+        (arguments.declared(&cx.paths, &scalar), arguments.converted(&cx.paths, &scalar));
     let given = arguments.labelled(&routine.reads);
     let checks = generated("checks_");
     let formulas = formulas::Call { routine: APPLIED, stage: 0 }.under(cx, &quote!(#checks));
-    let points = cx.mechanism.dynamics.forces.iter().flat_map(|force| match force {
-        Force::At { point, .. } => vec![*point],
-        Force::Between { points, .. } => points.to_vec(),
-    });
-    let points = points.map(|point| self::number(point.0));
+    let points = plan::pushed(cx.mechanism).map(number);
     Some(quote! {
         /// The forces that the declaration puts on points, for `applied` of a film.
         ///
@@ -142,15 +138,12 @@ fn plan(mechanism: &Mechanism, paths: &Paths) -> TokenStream {
     let plan = paths.item("Plan");
     let name = text(&mechanism.name);
     let docs = words(&mechanism.docs);
-    let names = |names: Vec<&Ident>| {
-        let names = names.into_iter().map(text);
-        quote!(&[#(#names),*])
-    };
-    let points = names(mechanism.points.iter().map(|point| &point.name).collect());
-    let links = names(mechanism.links.iter().map(|link| &link.name).collect());
-    let guides = names(mechanism.guides.iter().map(|guide| &guide.name).collect());
-    let springs = mechanism.dynamics.springs.iter().filter_map(|declared| spring(paths, declared));
-    let statements = mechanism.steps.iter().map(|step| statement(mechanism, paths, step));
+    let [points, links, guides] = plan::names(mechanism).map(|names| quote!(&[#(#names),*]));
+    let springs = plan::springs(mechanism).map(|plan::Drawn { ends, kinds }| {
+        let (item, ends) = (paths.item("Spring"), ends.map(number));
+        quote!(#item { ends: [#(#ends),*], kinds: [#(#kinds),*] })
+    });
+    let statements = plan::statements(mechanism).map(|placed| statement(paths, placed));
     quote! {
         #plan {
             name: #name,
@@ -164,75 +157,33 @@ fn plan(mechanism: &Mechanism, paths: &Paths) -> TokenStream {
     }
 }
 
-/// The record of a spring between two points; none for a torsion spring.
-fn spring(paths: &Paths, spring: &Spring) -> Option<TokenStream> {
-    let Ends::Points(ends) = spring.ends else { return None };
-    let (item, ends) = (paths.item("Spring"), ends.map(|end| number(end.0)));
-    let kinds = [&spring.stiffness, &spring.damping].map(|number| !number.value.is_zero());
-    Some(quote!(#item { ends: [#(#ends),*], kinds: [#(#kinds),*] }))
-}
-
-fn statement(mechanism: &Mechanism, paths: &Paths, step: &Step) -> TokenStream {
+fn statement(paths: &Paths, placed: Placed) -> TokenStream {
     let element = paths.item("Element");
-    let on = |carrier: Carrier| match carrier {
-        Carrier::Ground => option(paths, None),
-        Carrier::Link(link) => option(paths, Some(link.0)),
-    };
-    match step {
-        Step::Ground { point, .. } => {
-            let point = number(point.0);
+    match placed {
+        Placed::Ground(point) => {
+            let point = number(point);
             quote!(#element::Ground(#point))
         }
-        Step::Guide { guide, carrier, .. } => {
-            let (guide, carrier) = (number(guide.0), on(*carrier));
-            quote!(#element::Guide(#guide, #carrier))
+        Placed::Guide(guide, on) => {
+            let (guide, on) = (number(guide), option(paths, on));
+            quote!(#element::Guide(#guide, #on))
         }
-        Step::Point { point, carrier, .. } => {
-            let (point, carrier) = (number(point.0), on(*carrier));
-            quote!(#element::Point(#point, #carrier))
+        Placed::Point(point, on) => {
+            let (point, on) = (number(point), option(paths, on));
+            quote!(#element::Point(#point, #on))
         }
-        Step::Group(group) => self::group(mechanism, paths, group),
+        Placed::Group(members, pin) => {
+            let (members, pin) = (members.iter().map(|own| member(paths, own)), option(paths, pin));
+            quote!(#element::Group(&[#(#members),*], #pin))
+        }
     }
 }
 
-fn group(mechanism: &Mechanism, paths: &Paths, group: &Group) -> TokenStream {
-    let [element, member] = ["Element", "Member"].map(|name| paths.item(name));
-    let members = group.outer.iter().enumerate().map(|(index, joint)| {
-        let (link, shape) = (number(group.links[index].0), shape(mechanism, group, index));
-        let on = joint.point().map(|point| point.0).or(joint.guide().map(|guide| guide.0));
-        let on = on.map(number);
-        let turned = match &joint.drive {
-            Some(Drive::Angle { angle, relative_to: Carrier::Ground })
-                if mechanism.turns(angle) =>
-            {
-                Some(quote!(.turned()))
-            }
-            _ => None,
-        };
-        quote!(#member::#shape(#link, #on)#turned)
-    });
-    let (members, pin): (Vec<_>, _) =
-        (members.collect(), option(paths, group.pin.map(|pin| pin.0)));
-    quote!(#element::Group(&[#(#members),*], #pin))
-}
-
-/// The word for the shape of a link, from its joints.
-fn shape(mechanism: &Mechanism, group: &Group, index: usize) -> Ident {
-    let link = group.links[index];
-    let slides_in = group.inner.iter().find_map(|joint| match joint.slideway()? {
-        Slideway::Guide(_) => None,
-        Slideway::Bar(carrier) | Slideway::Slot { link: carrier, .. } => Some(*carrier),
-    });
-    let name = match (&group.lengths[index], slides_in, group.outer[index].guide()) {
-        (Some(length), ..) if mechanism.moves(&length.value) => "cylinder",
-        (Some(_), ..) => "bar",
-        (None, Some(carrier), Some(_)) if carrier == link => "yoke",
-        (None, Some(carrier), None) if carrier == link => "slotted_bar",
-        (None, Some(_), _) => "sleeve",
-        (None, None, Some(_)) => "block",
-        (None, None, None) => "body",
-    };
-    format_ident!("{name}")
+fn member(paths: &Paths, member: &plan::Member) -> TokenStream {
+    let (item, shape) = (paths.item("Member"), format_ident!("{}", member.shape));
+    let (link, on) = (number(member.link), member.pivot.or(member.guide).map(number));
+    let turned = member.is_turned.then(|| quote!(.turned()));
+    quote!(#item::#shape(#link, #on)#turned)
 }
 
 fn number(id: u32) -> Literal {

@@ -6,7 +6,7 @@
 //! | `rust` | the expansion of a declaration: structs, entry points, searches, sweeps |
 //! | `c` | the same functions in C99, their header, the run-time, and FMUs |
 //! | `script` | the formulas in JavaScript, and the page that they move |
-//! | `drawing` | what a mechanism is drawn by, in Rust |
+//! | `plan`, `drawing` | what a mechanism is drawn by: as data, and in Rust |
 //! | `docs` | what documentation says of each item, and comments of headers |
 //! | `printer` | the walk over a routine's statements, for every language |
 //! | `arguments` | the arguments of an entry point |
@@ -17,9 +17,10 @@ pub(crate) mod c;
 mod docs;
 mod drawing;
 mod identifiers;
+mod plan;
 mod printer;
 mod rust;
-mod script;
+pub(crate) mod script;
 mod text;
 
 #[cfg(test)]

@@ -92,8 +92,9 @@ mod uses;
 mod tests;
 
 use crate::diagnostics::Diagnostics;
+use crate::exact::Exact;
 use crate::model::drawn_links::DrawnLinks;
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Dimension, Mechanism, ParamKind};
 use crate::model::scope::Scope;
 use crate::model::statements::contacts;
 use crate::model::statements::output;
@@ -119,6 +120,20 @@ pub(crate) fn resolve(
     match scope.diagnostics.count() {
         0 => Ok(scope.mechanism),
         _ => Err(Stub(Box::new(stub::stub(scope, tree)))),
+    }
+}
+
+/// The first parameter's default in a declaration that holds nothing else; `None` where it was reported.
+pub(crate) fn quantity(
+    tree: &Declaration,
+    diagnostics: &mut Diagnostics,
+) -> Option<(Dimension, Exact)> {
+    let mut scope = begun::scope(tree, &tree.unread, diagnostics);
+    statement_walk::statements(&mut scope, tree);
+    let is_clean = scope.diagnostics.count() == 0;
+    match &scope.mechanism.params.first().filter(|_| is_clean)?.kind {
+        ParamKind::Number { dimension, default, .. } => Some((*dimension, default.clone())),
+        ParamKind::Mode { .. } => None,
     }
 }
 

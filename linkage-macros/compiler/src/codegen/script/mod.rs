@@ -2,11 +2,13 @@
 //! numbers are.
 
 mod in_script;
-pub(super) mod page;
+pub(crate) mod page;
+mod plan;
 
 use self::in_script::{InScript, list, quoted, read};
 use crate::codegen::docs::force_docs::unit_of;
 use crate::codegen::identifiers::{CIRCLE, text};
+use crate::codegen::plan::pushed;
 use crate::codegen::printer::Printer;
 use crate::codegen::text::Text;
 use crate::interface::entries::{Analysis, ArgumentKind};
@@ -16,7 +18,7 @@ use crate::interface::units_in_words::unit;
 use crate::interface::{force_records, labels};
 use crate::ir::graph::{Node, RootSearch, Target};
 use crate::lower::routine::{Compute, Lowered, Routine};
-use crate::lower::{PLACED, TRIAL, bound_once, label};
+use crate::lower::{APPLIED, PLACED, TRIAL, bound_once, label};
 use crate::model::acting::{Effort, RequestedEffort};
 use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind};
 
@@ -32,6 +34,16 @@ pub(super) fn object(
     let read = given(mechanism, routine.reads.iter().copied());
     function(mechanism, placing, routine, 1, &read, false, &mut script);
     script.put(", nameOfPlace),\n");
+    // No drive is given to a page that a force could be said by.
+    let is_known = |routine: &&Routine| !routine.given.contains(&ArgumentKind::Drives);
+    if let Some(routine) = placing.routines.get(APPLIED).filter(is_known) {
+        let read = given(mechanism, routine.reads.iter().copied());
+        script.put("applied: (p, q, v, a, l) => ");
+        function(mechanism, placing, routine, 1, &read, false, &mut script);
+        let points: Vec<String> = pushed(mechanism).map(|point| point.to_string()).collect();
+        script.put(", (k) => PLAN.points[MACHINE.appliedAt[k >> 1]]),\nappliedAt: [");
+        script.put(&points.join(", ")).put("],\n");
+    }
     [placing, lowered].iter().for_each(|lowered| searches(mechanism, lowered, &mut script));
     for analysis in [Analysis::Motion, Analysis::Forces, Analysis::Holding] {
         entry(mechanism, lowered, analysis, &mut script);
@@ -149,8 +161,16 @@ fn output(output: &DeclaredOutput) -> String {
         OutputKind::Margin(_) => "m".to_string(),
         _ => "1".to_string(),
     };
-    let [name, unit] = [text(&output.field), unit].map(|text| quoted(&text));
-    format!("{{name: {name}, kind: \"{kind}\", unit: {unit}}}")
+    // What is asked for as `DC.margin` is a field `DC_margin`.
+    let name = text(&output.field);
+    let title = match &output.kind {
+        OutputKind::Margin(_) | OutputKind::Transmission(_) => name.rsplit_once('_'),
+        _ => None,
+    };
+    let title =
+        title.map(|(link, asked)| format!(", title: {}", quoted(&format!("{link}.{asked}"))));
+    let ([name, unit], title) = ([name, unit].map(|text| quoted(&text)), title.unwrap_or_default());
+    format!("{{name: {name}, kind: \"{kind}\", unit: {unit}{title}}}")
 }
 
 /// A force, couple or effort: its name, its rows, their units, and the point at which an arrow shows it.

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::Attribute;
 
+use super::plan;
 use crate::codegen::docs::words;
 use crate::codegen::identifiers::text;
 use crate::codegen::rust::context::Context;
@@ -12,7 +13,64 @@ use crate::interface::force_records;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::lower::routine::Lowered;
-use crate::model::mechanism::{Dimension, Mechanism, Param, ParamKind};
+use crate::model::mechanism::{Dimension, Mechanism, Param, ParamKind, Sign};
+
+/// A mechanism as its page has it, in texts.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct PageParts {
+    /// The mechanism's name.
+    pub name: String,
+    /// Its doc comment, in one line.
+    pub docs: String,
+    /// An object of JavaScript: the names of all parts, and the statements that place them.
+    pub plan: String,
+    /// An object of JavaScript, the formulas among its fields.
+    pub script: String,
+    /// The inputs, a line each: a name, a unit, its size in SI, what the declaration says of it, and its value in the
+    /// drawing, with tabs between.
+    pub inputs: String,
+    /// The parameters; of a mode two words in place of unit and size.
+    pub params: String,
+    /// The loads.
+    pub loads: String,
+    /// The names that curves may be asked of, outputs and forces, a line each.
+    pub outputs: String,
+    /// The parameters' defaults; of a mode +1 or −1.
+    pub values: Vec<f64>,
+}
+
+impl PageParts {
+    /// Those of a mechanism, from its solver's routines and those that place what is drawn.
+    pub(crate) fn of(mechanism: &Mechanism, solver: &Lowered<'_>, placing: &Lowered<'_>) -> Self {
+        let inputs = mechanism.inputs.iter().enumerate().map(|(nth, input)| {
+            let line = number(&input.name, in_si(input.dimension), &input.docs);
+            match &mechanism.drawn {
+                Some(drawn) => format!("{}\t{:?}\n", line.trim_end_matches('\n'), drawn[nth]),
+                None => line,
+            }
+        });
+        let params = mechanism.params.iter().map(setting);
+        let loads = mechanism.dynamics.loads.iter();
+        let loads = loads.map(|load| number(&load.name, in_si(load.dimension), &load.docs));
+        let values = mechanism.params.iter().map(|param| match &param.kind {
+            ParamKind::Number { default, .. } => default.to_f64(),
+            ParamKind::Mode { default: Sign::Plus, .. } => 1.0,
+            ParamKind::Mode { default: Sign::Minus, .. } => -1.0,
+        });
+        Self {
+            name: text(&mechanism.name),
+            docs: words(&mechanism.docs),
+            plan: plan::object(mechanism),
+            script: super::object(mechanism, solver, placing),
+            inputs: inputs.collect(),
+            params: params.collect(),
+            loads: loads.collect(),
+            outputs: shown(mechanism).join("\n"),
+            values: values.collect(),
+        }
+    }
+}
 
 /// The page of a mechanism, and nothing where the run-time crate has no feature `page`. `cx` is the solver's in
 /// `f64`, `source` the declaration's text.
@@ -25,20 +83,14 @@ pub(in crate::codegen) fn items(
     let (name, float) = (&cx.names.solver, &cx.names.scalar);
     let [with_page, paged, declared, vec, page] =
         ["with_page", "Paged", "Declared", "Vec", "Page"].map(|name| cx.paths.item(name));
-    let script = super::object(mechanism, solver, cx.lowered);
-    let inputs = mechanism.inputs.iter();
-    let inputs = inputs.map(|input| number(&input.name, in_si(input.dimension), &input.docs));
-    let params = mechanism.params.iter().map(setting);
-    let loads = mechanism.dynamics.loads.iter();
-    let loads = loads.map(|load| number(&load.name, in_si(load.dimension), &load.docs));
-    let [inputs, params, loads] = [inputs.collect(), params.collect(), loads.collect::<String>()];
-    let outputs = shown(mechanism).join("\n");
+    let PageParts { plan, script, inputs, params, loads, outputs, .. } =
+        PageParts::of(mechanism, solver, cx.lowered);
     let values = mechanism.params.iter().map(|param| value(cx, param));
     quote! {
         #with_page! {
             impl #paged for #name<#float> {
-                const PAGE: #declared =
-                    #declared::new([#script, #source, #inputs, #params, #loads, #outputs]);
+                const PAGE: #declared<'static> =
+                    #declared::new([#plan, #script, #source, #inputs, #params, #loads, #outputs]);
 
                 fn params(&self) -> #vec<#float> {
                     #vec::from([#(#values),*])

@@ -1,0 +1,81 @@
+//! The verb `page`: pages on which machines are dragged.
+
+use std::path::{Path, PathBuf};
+
+use linkage_compiler::{PageParts, page};
+use linkage_core::sketch::{Declared, Machine, Wishes, html};
+
+use crate::arguments::{Page, Target};
+use crate::output::{self, Failure};
+use crate::program::Program;
+use crate::values::{Setting, known};
+
+pub(crate) fn run(arguments: &Page) -> Result<(), Failure> {
+    let program = Program::read(&arguments.file, &arguments.chosen)?;
+    // The text is the declared one, and values are those that are set, as a solver's are.
+    let set = program.all(page)?;
+    let declared = program.each(program.written()?, |declaration| {
+        Ok((page(declaration.tokens.clone())?, program.call(declaration)))
+    })?;
+    let mut pages = Vec::new();
+    for ((mut parts, text), set) in declared.into_iter().zip(set) {
+        parts.values = set.values;
+        pages.push((format!("{}.html", parts.name), written(&parts, &text, arguments)?));
+    }
+    let Target { output, stale } = &arguments.target;
+    let is_folder =
+        |path: &&PathBuf| path.is_dir() || path.as_os_str().to_string_lossy().ends_with('/');
+    let folder = output.as_ref().filter(is_folder);
+    match (&pages[..], folder) {
+        ([(_, page)], None) => output::text(output.as_deref(), page, *stale),
+        _ => {
+            let beside = arguments.file.parent().unwrap_or(Path::new(""));
+            output::files(output.as_deref().unwrap_or(beside), pages.into_iter(), *stale)
+        }
+    }
+}
+
+/// The page of a mechanism.
+fn written(parts: &PageParts, text: &str, arguments: &Page) -> Result<String, Failure> {
+    let declared = Declared::new([
+        &parts.plan,
+        &parts.script,
+        text,
+        &parts.inputs,
+        &parts.params,
+        &parts.loads,
+        &parts.outputs,
+    ]);
+    let wishes = wishes(parts, arguments)?;
+    let machine = Machine { name: &parts.name, docs: &parts.docs, declared, values: &parts.values };
+    html(&machine, &wishes).map_err(|error| Failure::Unusable(error.to_string()))
+}
+
+fn wishes(parts: &PageParts, arguments: &Page) -> Result<Wishes, Failure> {
+    let [inputs, params, loads] =
+        [&parts.inputs, &parts.params, &parts.loads].map(|text| known(text));
+    let all = [&inputs[..], &params, &loads].concat();
+    let between = arguments.between.iter().map(|text| {
+        let setting = Setting::read("between", text)?;
+        let nth = setting.of(&all, "input, parameter or load")?;
+        Ok((setting.name.to_string(), setting.ends(all[nth])?))
+    });
+    let rates = arguments.rate.iter().map(|text| {
+        let setting = Setting::read("rate", text)?;
+        let nth = setting.of(&inputs, "input")?;
+        Ok((setting.name.to_string(), setting.rate(inputs[nth])?))
+    });
+    let given = arguments.load.iter().map(|text| {
+        let setting = Setting::read("load", text)?;
+        let nth = setting.of(&loads, "load")?;
+        Ok((setting.name.to_string(), setting.value(loads[nth])?))
+    });
+    Ok(Wishes {
+        title: arguments.title.clone(),
+        curves: arguments.curves.clone(),
+        ranges: between.collect::<Result<_, Failure>>()?,
+        rates: rates.collect::<Result<_, Failure>>()?,
+        loads: given.collect::<Result<_, Failure>>()?,
+        ..Wishes::default()
+    })
+}

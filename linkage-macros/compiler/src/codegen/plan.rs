@@ -1,0 +1,108 @@
+//! The plan by which a mechanism is drawn: its names, and the statements that place them, for every language.
+
+use super::identifiers::text;
+use crate::model::acting::{Ends, Force, Spring};
+use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Slideway, Step};
+
+/// A statement, every part by its place among the names.
+pub(super) enum Placed {
+    /// A fixed point.
+    Ground(u32),
+    /// A guide, and the link that carries it.
+    Guide(u32, Option<u32>),
+    /// A point, and the link that carries it.
+    Point(u32, Option<u32>),
+    /// The links of a driver or a group, and its pin.
+    Group(Vec<Member>, Option<u32>),
+}
+
+/// A link of a group.
+pub(super) struct Member {
+    pub link: u32,
+    /// The point that it turns about.
+    pub pivot: Option<u32>,
+    /// The guide that it slides on.
+    pub guide: Option<u32>,
+    /// The word for its shape.
+    pub shape: &'static str,
+    /// True if an input turns it against the ground.
+    pub is_turned: bool,
+}
+
+/// A spring, a damper, or both, between two points.
+pub(super) struct Drawn {
+    pub ends: [u32; 2],
+    /// Two flags: it has a stiffness, and it has a damping.
+    pub kinds: [bool; 2],
+}
+
+/// The names of points, links and guides.
+pub(super) fn names(mechanism: &Mechanism) -> [Vec<String>; 3] {
+    [
+        mechanism.points.iter().map(|point| text(&point.name)).collect(),
+        mechanism.links.iter().map(|link| text(&link.name)).collect(),
+        mechanism.guides.iter().map(|guide| text(&guide.name)).collect(),
+    ]
+}
+
+pub(super) fn statements(mechanism: &Mechanism) -> impl Iterator<Item = Placed> {
+    let on = |carrier: Carrier| match carrier {
+        Carrier::Ground => None,
+        Carrier::Link(link) => Some(link.0),
+    };
+    mechanism.steps.iter().map(move |step| match step {
+        Step::Ground { point, .. } => Placed::Ground(point.0),
+        Step::Guide { guide, carrier, .. } => Placed::Guide(guide.0, on(*carrier)),
+        Step::Point { point, carrier, .. } => Placed::Point(point.0, on(*carrier)),
+        Step::Group(group) => group_of(mechanism, group),
+    })
+}
+
+fn group_of(mechanism: &Mechanism, group: &Group) -> Placed {
+    let members = group.outer.iter().enumerate().map(|(index, joint)| Member {
+        link: group.links[index].0,
+        pivot: joint.point().map(|point| point.0),
+        guide: joint.guide().map(|guide| guide.0),
+        shape: shape(mechanism, group, index),
+        is_turned: matches!(
+            &joint.drive,
+            Some(Drive::Angle { angle, relative_to: Carrier::Ground }) if mechanism.turns(angle)
+        ),
+    });
+    Placed::Group(members.collect(), group.pin.map(|pin| pin.0))
+}
+
+/// The word for the shape of a link, from its joints.
+fn shape(mechanism: &Mechanism, group: &Group, index: usize) -> &'static str {
+    let link = group.links[index];
+    let slides_in = group.inner.iter().find_map(|joint| match joint.slideway()? {
+        Slideway::Guide(_) => None,
+        Slideway::Bar(carrier) | Slideway::Slot { link: carrier, .. } => Some(*carrier),
+    });
+    match (&group.lengths[index], slides_in, group.outer[index].guide()) {
+        (Some(length), ..) if mechanism.moves(&length.value) => "cylinder",
+        (Some(_), ..) => "bar",
+        (None, Some(carrier), Some(_)) if carrier == link => "yoke",
+        (None, Some(carrier), None) if carrier == link => "slotted_bar",
+        (None, Some(_), _) => "sleeve",
+        (None, None, Some(_)) => "block",
+        (None, None, None) => "body",
+    }
+}
+
+/// The points that forces of the declaration act on, in their order.
+pub(super) fn pushed(mechanism: &Mechanism) -> impl Iterator<Item = u32> {
+    mechanism.dynamics.forces.iter().flat_map(|force| match force {
+        Force::At { point, .. } => vec![point.0],
+        Force::Between { points, .. } => points.map(|point| point.0).to_vec(),
+    })
+}
+
+/// The springs between two points; a torsion spring is not drawn.
+pub(super) fn springs(mechanism: &Mechanism) -> impl Iterator<Item = Drawn> {
+    mechanism.dynamics.springs.iter().filter_map(|spring: &Spring| {
+        let Ends::Points(ends) = spring.ends else { return None };
+        let kinds = [&spring.stiffness, &spring.damping].map(|number| !number.value.is_zero());
+        Some(Drawn { ends: ends.map(|end| end.0), kinds })
+    })
+}
