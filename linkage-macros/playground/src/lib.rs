@@ -1,0 +1,132 @@
+//! The compiler for a page: a text and a task in, an answer out.
+//!
+//! `room(bytes) → address` makes room for a text, `answer(address, bytes, task) → address` consumes it and answers with
+//! a length of four bytes and as many bytes, `forget(address)` frees an answer. There are no imports: no clock, no file,
+//! no thread.
+
+#[path = "../../command/src/zip.rs"]
+#[expect(dead_code, reason = "the program compares archives as well")]
+mod zip;
+
+use linkage_compiler::{Diagnostic, Level, Options, PageParts, compile, declarations};
+use linkage_core::sketch::{Declared, Machine, Wishes, html};
+use proc_macro2::{LexError, Span, TokenStream};
+use serde_json::{Value, json};
+
+/// The mistakes and notes of a text, and its page where it has none.
+pub const CHECK: u32 = 0;
+/// The solver as C99, in an archive.
+pub const C: u32 = 1;
+/// The FMU, in an archive.
+pub const FMU: u32 = 2;
+/// What the declaration becomes in Rust.
+pub const RUST: u32 = 3;
+
+/// Room for a text.
+#[unsafe(no_mangle)]
+pub extern "C" fn room(bytes: usize) -> *mut u8 {
+    Box::into_raw(vec![0_u8; bytes].into_boxed_slice()).cast()
+}
+
+/// Does a task.
+///
+/// # Safety
+/// The text stands in room that [`room`] has made for as many bytes, and is given once.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn answer(text: *mut u8, bytes: usize, task: u32) -> *mut u8 {
+    // SAFETY: by the contract.
+    let text = unsafe { Box::from_raw(core::ptr::slice_from_raw_parts_mut(text, bytes)) };
+    let answer = answered(&String::from_utf8_lossy(&text), task);
+    let mut bytes = u32::try_from(answer.len()).unwrap_or(0).to_le_bytes().to_vec();
+    bytes.extend(answer);
+    Box::into_raw(bytes.into_boxed_slice()).cast()
+}
+
+/// Frees an answer.
+///
+/// # Safety
+/// It is one of [`answer`], and is given once.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn forget(answer: *mut u8) {
+    // SAFETY: the length stands in front.
+    unsafe {
+        let length = u32::from_le_bytes(*answer.cast::<[u8; 4]>()) as usize + 4;
+        drop(Box::from_raw(core::ptr::slice_from_raw_parts_mut(answer, length)));
+    }
+}
+
+/// The answer to a task. A text is a program with a declaration, or what stands between its braces.
+#[must_use]
+pub fn answered(text: &str, task: u32) -> Vec<u8> {
+    let answer = done(text, task);
+    // The places of a text are kept until they are forgotten.
+    proc_macro2::extra::invalidate_current_thread_spans();
+    answer
+}
+
+fn done(text: &str, task: u32) -> Vec<u8> {
+    let tokens: TokenStream = match text.parse() {
+        Ok(tokens) => tokens,
+        Err(error) if task == CHECK => return unreadable(text, &error).to_string().into_bytes(),
+        Err(_) => return Vec::new(),
+    };
+    let declaration = declarations(tokens.clone()).into_iter().next().unwrap_or(tokens);
+    let printed = match task {
+        CHECK => return checked(text, declaration).to_string().into_bytes(),
+        C => linkage_compiler::c(declaration, &[]),
+        FMU => linkage_compiler::fmu(declaration, false),
+        _ => {
+            let output = compile(declaration, &Options::default());
+            let is_clean = output.diagnostics.is_empty();
+            return if is_clean { output.tokens.to_string().into_bytes() } else { Vec::new() };
+        }
+    };
+    let files = printed.unwrap_or_default().into_iter();
+    let files: Vec<_> = files.map(|file| (file.name, file.text.into_bytes())).collect();
+    if files.is_empty() { Vec::new() } else { zip::archive(&files) }
+}
+
+fn unreadable(text: &str, error: &LexError) -> Value {
+    let message = "a bracket or a text is not closed, or closed twice";
+    json!({ "messages": [told(text, message, None, "error", [error.span(); 2])] })
+}
+
+fn checked(text: &str, declaration: TokenStream) -> Value {
+    let output = compile(declaration.clone(), &Options::default());
+    let all = output.diagnostics.iter().chain(&output.notes);
+    let messages: Vec<Value> = all.map(|found| message(text, found)).collect();
+    if !output.diagnostics.is_empty() {
+        return json!({ "messages": messages });
+    }
+    let parts = linkage_compiler::page(declaration).expect("it has no mistake");
+    json!({ "messages": messages, "name": parts.name, "page": page(&parts, text) })
+}
+
+/// The page of a machine.
+fn page(parts: &PageParts, text: &str) -> String {
+    let PageParts { plan, script, inputs, params, loads, outputs, .. } = parts;
+    let declared = Declared::new([plan, script, text, inputs, params, loads, outputs]);
+    let (name, docs, values) = (&parts.name[..], &parts.docs[..], &parts.values[..]);
+    let page = html(&Machine { name, docs, declared, values }, &Wishes::default());
+    page.expect("nothing is wished that could be unknown")
+}
+
+fn message(text: &str, found: &Diagnostic) -> Value {
+    let level = match found.level {
+        Level::Mistake => "error",
+        Level::Note => "note",
+    };
+    told(text, &found.message, found.note.as_deref(), level, [found.first, found.last])
+}
+
+/// A message, and the letters of the text from which to which it is about, counted as JavaScript counts them. What is
+/// about a whole declaration has no letters.
+fn told(text: &str, message: &str, help: Option<&str>, level: &str, at: [Span; 2]) -> Value {
+    let [first, last] = at.map(|span| span.byte_range());
+    let letters = |at: usize| {
+        text.get(..at)
+            .map_or_else(|| text.encode_utf16().count(), |text| text.encode_utf16().count())
+    };
+    let (from, to) = (letters(first.start), letters(last.end.max(first.end)));
+    json!({ "message": message, "help": help, "level": level, "from": from, "to": to.max(from) })
+}

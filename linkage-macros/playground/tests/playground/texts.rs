@@ -1,0 +1,78 @@
+//! Texts as they are typed: every prefix, and every letter left out.
+
+use linkage_playground::{C, CHECK, FMU, RUST, answered};
+use serde_json::Value;
+
+use super::MACHINES;
+
+/// The answer to a text, each of whose messages lies inside it. True if there is a page.
+fn is_whole(text: &str) -> bool {
+    let answer: Value = serde_json::from_slice(&answered(text, CHECK)).expect("an answer is JSON");
+    let length = text.encode_utf16().count() as u64;
+    let messages = answer["messages"].as_array().expect("there is a list");
+    for message in messages {
+        let [from, to] =
+            ["from", "to"].map(|end| message[end].as_u64().expect("a place is a number"));
+        assert!(from <= to && to <= length, "{message} in {length} letters of {text}");
+        assert!(message["message"].as_str().is_some_and(|text| !text.is_empty()), "{text}");
+    }
+    let is_whole = answer["page"].is_string();
+    let is_mistaken = messages.iter().any(|message| message["level"] == "error");
+    assert!(is_whole != is_mistaken, "a page beside a mistake, or neither: {text}");
+    is_whole
+}
+
+#[test]
+fn every_machine_to_begin_with_has_a_page_and_exports() {
+    for (name, text) in MACHINES {
+        assert!(is_whole(text), "{name}");
+        for task in [C, FMU] {
+            assert!(answered(text, task).starts_with(b"PK"), "{name}");
+        }
+        let rust = String::from_utf8(answered(text, RUST)).expect("it is a text");
+        assert!(rust.contains("struct"), "{name}");
+        // What stands between the braces is a declaration too.
+        let (_, inner) = text.split_once('{').expect("it is a call");
+        assert!(is_whole(inner.trim_end().trim_end_matches('}')), "{name}");
+    }
+}
+
+/// Texts with a mistake have no solver, in any language, and letters of two words are counted as a browser counts them.
+#[test]
+fn mistakes_have_their_letters_and_nothing_else() {
+    let text = "mechanism! { /// 🦿 Ω\n struct Leg { input t: angle; ground A(0, 0); crank AB(Q) -> B { length: 1m, angle: t } } }";
+    let answer: Value = serde_json::from_slice(&answered(text, CHECK)).expect("an answer is JSON");
+    let from = answer["messages"][0]["from"].as_u64().expect("a place is a number") as usize;
+    let units: Vec<u16> = text.encode_utf16().collect();
+    assert_eq!(units[from], u16::from(b'Q'), "{answer}");
+    for task in [C, FMU, RUST] {
+        assert!(answered(text, task).is_empty() && answered("struct {", task).is_empty());
+    }
+    for text in
+        ["", "}", "{", "\"", "mechanism!", "mechanism! {}", "struct A {}", "r#\"", "\u{0}", "'"]
+    {
+        assert!(!is_whole(text), "{text}");
+    }
+}
+
+/// Every eleventh prefix, and every eleventh letter left out; `LINKAGE_WHOLE` takes all.
+#[test]
+fn a_text_that_is_typed_is_told_inside_it() {
+    let step = if std::env::var_os("LINKAGE_WHOLE").is_some() { 1 } else { 11 };
+    let (mut whole, mut broken) = (0, 0);
+    for (_, text) in MACHINES {
+        let places = text.char_indices().map(|(at, _)| at);
+        for (nth, at) in places.enumerate().skip(5).step_by(step) {
+            let next = text[at..].chars().next().map_or(at, |letter| at + letter.len_utf8());
+            let left_out = [&text[..at], &text[next..]].concat();
+            for typed in [&text[..at], &left_out] {
+                match is_whole(typed) {
+                    true => whole += 1,
+                    false => broken += 1,
+                }
+            }
+            assert!(nth < text.len());
+        }
+    }
+    assert!(whole * 20 > broken && broken > 3 * whole, "{whole} whole, {broken} broken");
+}

@@ -1,0 +1,62 @@
+//! The same compiler for a browser: what it answers is what it answers here.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use linkage_playground::{C, CHECK, FMU, RUST, answered};
+
+use super::{MACHINES, skipped};
+
+/// Answers of the compiler in a browser, written into a folder.
+const ASK: &str = include_str!("ask.cjs");
+
+/// The playground, if this machine can build it.
+pub(crate) fn built() -> Option<PathBuf> {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("play.html");
+    let _ = fs::remove_file(&path);
+    let status = Command::new(env!("CARGO_BIN_EXE_playground")).arg(&path).status();
+    assert!(status.expect("the program starts").success());
+    if !path.exists() {
+        skipped::skipped("the playground: no wasm32-unknown-unknown");
+        return None;
+    }
+    Some(path)
+}
+
+/// Every machine in every language, byte for byte; their drawn lengths are numbers on which all systems' `hypot` agree.
+/// Memory that does not grow; the size of the file.
+#[test]
+#[ignore = "builds the compiler for a browser"]
+fn a_browser_is_answered_alike() {
+    let Some(page) = built() else { return };
+    let size = fs::metadata(&page).expect("it was written").len();
+    assert!((900_000..1_350_000).contains(&size), "{size} bytes");
+    if Command::new("node").arg("--version").output().is_err() {
+        return skipped::skipped("what the playground computes: no node");
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("playground");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder can be made");
+    let mut texts: Vec<(String, String)> =
+        MACHINES.iter().map(|(name, text)| (format!("{name}.rs"), text.to_string())).collect();
+    let broken = MACHINES[0].1.replace("link BC(B", "link BC(Q");
+    texts.push(("broken.rs".into(), broken));
+    for (name, text) in &texts {
+        fs::write(folder.join(name), text).expect("a file can be written");
+    }
+    let script = folder.join("ask.cjs");
+    fs::write(&script, ASK).expect("a file can be written");
+    let output =
+        Command::new("node").arg(&script).arg(&page).arg(&folder).output().expect("node runs");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
+    for (name, text) in &texts {
+        for task in [CHECK, C, FMU, RUST] {
+            let found = fs::read(folder.join(format!("{name}.{task}"))).expect("it was answered");
+            assert!(found == answered(text, task), "{name} is answered otherwise, task {task}");
+        }
+    }
+    let memory: Vec<u64> = said.split_whitespace().filter_map(|part| part.parse().ok()).collect();
+    assert!(memory[0] == memory[1] && memory[1] < 16 << 20, "{said}");
+}
