@@ -118,6 +118,7 @@ fn visits() -> Vec<Visit> {
         visit("toggle_clamp::ToggleClamp", 800, r#"[["look"], ["ends"], ["sliders"]]"#),
         visit("counterweight::FourBar", 1280, r#"[["look"], ["typed"], ["sliders"]]"#),
         visit("calibration::SixBar", 1280, r#"[["keeps"]]"#),
+        visit("vibration::Oscillator", 800, r#"[["look"], ["runs", 15, 1.6632], ["sliders"]]"#),
         Visit {
             name: "hard::Knee",
             html: hard::Knee::new().page().to_html().unwrap(),

@@ -5,7 +5,7 @@ const tally = { numbers: 0, equal: 0, refused: 0, unheld: 0, wrong: 0, worst: 0 
 const wrong = (...words) => { if (++tally.wrong <= 5) console.log(...words); };
 for (const line of require("fs").readFileSync(process.argv[2], "utf8").trim().split("\n")) {
   const [asked, expected] = line.split(" : "), [name, ...lists] = asked.split(" ");
-  const [p, q, v, a, l] = lists.map((list) => list.split(",").slice(1).map(number));
+  const [p, q, v, a, l, e = []] = lists.map((list) => list.split(",").slice(1).map(number));
   if (name === "stands") {
     state.p = p;
     const pose = new Pose(q), parts = [...PLAN.points.map((_, k) => pose.point(k)), ...PLAN.links.map((_, k) => pose.link(k))];
@@ -25,7 +25,7 @@ for (const line of require("fs").readFileSync(process.argv[2], "utf8").trim().sp
     if (!refused !== !!(motion && forces)) wrong(q, "is refused for", refused?.kind);
     if (!refused && !holding) tally.unheld++;
   }
-  const { numbers, error } = MACHINE[name](p, q, v, a, l);
+  const { numbers, error } = MACHINE[name](p, q, v, a, l, e);
   const { kind, group, name: named, by, unit, other } = error ?? {};
   const said = error && [kind, group, named ?? unit ?? "", by ?? "", other?.trend ?? "", other?.at ?? ""].join("|");
   if (expected.includes("|")) {

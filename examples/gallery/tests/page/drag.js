@@ -437,6 +437,36 @@ const STEPS_OF = {
     Object.assign(URL, { createObjectURL });
     HTMLAnchorElement.prototype.click = click;
   },
+  /// Run by itself, a mass on a spring swings as the formula says.
+  async runs(k, m) {
+    play(false);
+    const h = 1 / 960, w = Math.sqrt(k / m);
+    let [q, v] = [[0.1], [0]];
+    for (let n = 1; n <= 4800; n++) {
+      [q, v] = later(q, v, h);
+      // The method's phase is late by a share of (w h)⁴/120 of each step.
+      const off = Math.abs(q[0] - 0.1 * Math.cos(w * n * h));
+      if (off > 1e-8) return expect(false, "after", n, "steps it is off by", off);
+    }
+    go([0.1]);
+    state.rate = 0;
+    draw(CURVES);
+    await drawn();
+    run(true);
+    expect(running && $("#run").textContent === "Stop", "it does not run");
+    for (let n = 0; n < 30; n++) await drawn();
+    expect(running && state.q[0] < 0.1 - 1e-6, "it stands at", state.q[0]);
+    const { motion } = answersAt(new Pose(state.q)), [x] = rows;
+    expect(motion[x.at[1]] === running.v[0] && Math.abs(motion[x.at[2]] - running.a[0]) < 1e-12, "its rates are", motion.join());
+    draw(CURVES);
+    await drawn();
+    expect(running && samples.every(({ motion }) => motion[x.at[1]] === 0), "the curves run as well");
+    await press(" ");
+    expect(!running && playing, "play does not end the run");
+    $("#reset").click();
+    await drawn();
+    expect(!running && !playing, "it runs on");
+  },
   /// A load that is applied is drawn to the scale of forces.
   async loads() {
     play(false);

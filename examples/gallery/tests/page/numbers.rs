@@ -143,7 +143,9 @@ where
         let (v, a) = (given(&|_| [-9.0, 9.0]), given(&|_| [-9.0, 9.0]));
         let loads: Vec<f64> = S::PAGE.loads.lines().map(|_| random.from([-1e4, 1e4])).collect();
         let input = |list: &[f64]| S::input(|k| list[k]);
-        let lists = [&solver.params(), &q, &v, &a, &loads].map(|numbers| list(numbers)).join(" ");
+        // Drives are other numbers of no meaning.
+        let lists =
+            [&solver.params(), &q, &v, &a, &loads, &a].map(|numbers| list(numbers)).join(" ");
         let motion = Solver::motion(&solver, input(&q), input(&v), input(&a));
         let motion = motion.map(|motion| motion.into_array().into_iter().collect());
         let placed = Drawn::place(&solver, input(&q));
@@ -213,6 +215,17 @@ macro_rules! forces {
             vec![("forces", forces.map(|forces| forces.into_array().into()))]
         }
     };
+    (forward) => {
+        |solver, [q, v, a], _| {
+            vec![("forward_dynamics", solver.forward_dynamics(q, v, a).map(|found| vec![found]))]
+        }
+    };
+    (load, forward) => {
+        |solver, [q, v, a], loads| {
+            let found = solver.forward_dynamics(q, v, a, loads[0]);
+            vec![("forward_dynamics", found.map(|found| vec![found]))]
+        }
+    };
     (load, holding) => {
         |solver, [q, v, a], loads| {
             let forces = solver.forces(q, v, a, loads[0]);
@@ -220,6 +233,18 @@ macro_rules! forces {
             vec![
                 ("forces", forces.map(|forces| forces.into_array().into())),
                 ("holding", holding.map(|ends| ends.into())),
+            ]
+        }
+    };
+    (load, holding, forward) => {
+        |solver, [q, v, a], loads| {
+            let forces = solver.forces(q, v, a, loads[0]);
+            let holding = solver.holding(q, loads[0]);
+            let found = solver.forward_dynamics(q, v, a, loads[0]);
+            vec![
+                ("forces", forces.map(|forces| forces.into_array().into())),
+                ("holding", holding.map(|ends| ends.into())),
+                ("forward_dynamics", found.map(|found| vec![found])),
             ]
         }
     };
@@ -252,7 +277,7 @@ fn table(pages: &[(&'static str, String)]) -> Vec<Asked> {
         row!(function_generator::Transmission { coupler, rocker }; no_forces!()),
         row!(dead_point::ByLeft {}; no_forces!()),
         row!(dead_point::ByRight {}; no_forces!()),
-        row!(run_up::FourBar { flywheel }; no_forces!()),
+        row!(run_up::FourBar { flywheel }; forces!(forward)),
         row!(counterweight::FourBar { crank_x, crank_y, rocker_x, rocker_y }; no_forces!()),
         row!(slider_crank::OffsetSliderCrank { desaxe }; no_forces!()),
         row!(crank_rocker_slider::CrankRockerSlider { crank_length, rod_length }; no_forces!()),
@@ -276,16 +301,16 @@ fn table(pages: &[(&'static str, String)]) -> Vec<Asked> {
         row!(crane::Crane {} of [[0.0, 4.0], [-10.0, 10.0]]; no_forces!()),
         row!(driving_torque::FourBar { g }; forces!()),
         row!(driving_torque::AsInTheText {}; forces!()),
-        row!(press_friction::CutPress { pins, ways }; forces!(load, holding)),
+        row!(press_friction::CutPress { pins, ways }; forces!(load, holding, forward)),
         row!(toggle_clamp::ToggleClamp { mu } of [[-0.3, 0.9]]; forces!(load, holding)),
         row!(scissor_lift::ScissorLift { pins, thread } of [[0.3, 1.25]]; forces!(load, holding)),
         row!(stick_slip::DryBlock {} of [[-0.1, 0.1]]; forces!(holding)),
         row!(stick_slip::CreepingBlock { smoothing } of [[-0.1, 0.1]]; forces!()),
         row!(shear_bearings::FlyingShear {}; forces!(load)),
         row!(six_bar_reactions::SixBar {}; forces!()),
-        row!(andrews_squeezer::Squeezer {}; no_forces!()),
+        row!(andrews_squeezer::Squeezer {}; forces!(forward)),
         row!(parallelograms::TwoParallelograms {}; no_forces!()),
-        row!(vibration::Oscillator { k } of [[-0.3, 0.3]]; no_forces!()),
+        row!(vibration::Oscillator { k } of [[-0.3, 0.3]]; forces!(load, forward)),
         row!(vibration::TwoMasses { k } of [[-0.3, 0.3], [-0.3, 0.3]]; no_forces!()),
     ]
 }

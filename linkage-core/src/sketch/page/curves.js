@@ -9,10 +9,14 @@ const domain = () => [inputs[state.axis].from, inputs[state.axis].to];
 const stepped = (count, [from, to], at) => Array.from({ length: count + 1 }, (_, k) => at(from + ((to - from) * k) / count));
 
 const sample = () => {
+  // Curves are those at a constant rate, also while the machine runs by itself.
+  const held = running;
+  running = null;
   samples = stepped(STEPS, domain(), (x) => {
     const pose = new Pose(withInput(state.axis, x));
     return { x, pose, ...answersAt(pose) };
   });
+  running = held;
   setScales();
   const arrows = efforts.flatMap(({ row, point }, k) => (point !== null && row === "x" ? [k] : []));
   largestForce = 0;
@@ -335,7 +339,7 @@ const tellValues = (now) => {
     return;
   }
   told = time;
-  const then = kept && answersOf(kept, state.q);
+  const then = kept && !running && answersOf(kept, state.q);
   for (const [cell, of] of cells) cell.textContent = of(now, then);
 };
 

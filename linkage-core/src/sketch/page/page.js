@@ -87,7 +87,7 @@ const go = (q) => {
   const isOther = q.some((x, k) => k !== state.axis && x !== state.q[k]);
   state.q = q;
   draw(isOther ? CURVES : POSE);
-  if (!playing) remember();
+  if (!playing && !running) remember();
 };
 
 const setAxis = (k) => {
@@ -132,6 +132,7 @@ on(figure, "pointerdown", (event) => {
   figure.focus({ preventScroll: true });
   figure.setPointerCapture(event.pointerId);
   play(false);
+  run(false);
   drag = { point, pointer: event.pointerId, crank: crankOf(point), offset: minus(new Pose(state.q).point(point), place) };
   draw(POSE);
 });
@@ -198,6 +199,7 @@ const setPace = () => {
 };
 
 const play = (wanted) => {
+  if (wanted) run(false);
   if (wanted === playing) return;
   playing = wanted;
   $("#play").textContent = playing ? "Pause" : "Play";
@@ -254,6 +256,7 @@ const choose = (id, names) => {
 
 const reset = () => {
   play(false);
+  run(false);
   Object.assign(state, { q: inputs.map(({ at }) => at), p: params.map(({ value }) => value), l: loads.map(({ value }) => value) });
   Object.assign(state, { axis: 0, rate: inputs[0].rate });
   $("#axis").value = 0;
@@ -291,7 +294,8 @@ const start = () => {
   choose("#angle", Object.keys(UNITS.angle).map((unit) => [unit, unit]));
   $("#axis").parentElement.hidden = inputs.length < 2;
   $("#results").hidden = !offered.length;
-  $("#pace").hidden = PAGE.path.length > 0;
+  $("#pace").hidden = PAGE.path.length > 0 && !MACHINE.forward_dynamics;
+  $("#run").hidden = !MACHINE.forward_dynamics;
   buildTable();
   findRanges();
   const isRecalled = location.hash.length > 1 || asked !== "";
@@ -305,6 +309,11 @@ const start = () => {
 };
 
 on($("#play"), "click", () => play(!playing));
+on($("#run"), "click", () => {
+  // Masses move in real time at first.
+  if (!running && pace !== 1) $("#pace").value = pace = 1;
+  run(!running);
+});
 on($("#reset"), "click", reset);
 on($("#copy"), "click", copyDeclaration);
 on($("#csv"), "click", () => {

@@ -106,14 +106,16 @@ const seenFrom = ({ at, cos, sin }, [x, y]) => {
 // ---- motions and forces -----------------------------------------------------------------------------
 
 const atRest = inputs.map(() => 0);
-const rates = () => inputs.map((_, k) => (k === state.axis ? state.rate : 0));
+/// The rates and accelerations of all inputs while the machine runs by itself; nothing where they are given.
+let running = null;
+const rates = () => running?.v ?? inputs.map((_, k) => (k === state.axis ? state.rate : 0));
 
 /// Outputs, forces at constant rate, the drives between which friction holds the machine at rest and the loads that are
 /// applied, where they are there, and the first reason why outputs or forces are not.
 const answersAt = ({ q, error }) => {
   const found = { refused: error };
   for (const name of ["motion", "forces", "holding", "applied"]) {
-    const { numbers, error: own } = (!error && MACHINE[name]?.(state.p, q, rates(), atRest, state.l)) || {};
+    const { numbers, error: own } = (!error && MACHINE[name]?.(state.p, q, rates(), running?.a ?? atRest, state.l, atRest)) || {};
     found[name] = own ? null : numbers;
     if (name === "motion" || name === "forces") found.refused ??= own;
   }

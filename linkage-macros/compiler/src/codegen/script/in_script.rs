@@ -1,6 +1,6 @@
 //! Statements in JavaScript, for the page on which a mechanism is dragged.
 //!
-//! Inputs and their rates are the lists `q`, `v` and `a`, parameters `p`, loads `l`: only locals have names,
+//! Inputs and their rates are the lists `q`, `v` and `a`, parameters `p`, loads `l`, drives `e`: only locals have names,
 //! all of which end in an underscore, so that none is a word of the language or one of the page's own.
 //! Functions are those of the page's `kernels.js`, conditions methods of its `checks.js`, friction is solved by
 //! its `friction.js`.
@@ -31,9 +31,7 @@ impl Dialect for InScript<'_> {
     }
 
     fn leaf(&self, node: Node, to: &mut Text) {
-        to.put(
-            &read(node).expect("a page gives no drive, and a search is given its trial by name"),
-        );
+        to.put(&read(node).expect("a search is given its trial by name"));
     }
 
     fn constant(&self, node: Node, to: &mut Text) {
@@ -156,6 +154,7 @@ pub(super) fn read(node: Node) -> Option<String> {
     Some(match node {
         Node::Param(param) => format!("p[{param}]"),
         Node::Load(load) => format!("l[{load}]"),
+        Node::Drive(input) => format!("e[{input}]"),
         Node::InputCos(_) => CIRCLE[0].to_string(),
         Node::InputSin(_) => CIRCLE[1].to_string(),
         Node::Input { input, order } => format!("{}[{input}]", ["q", "v", "a"][usize::from(order)]),

@@ -22,7 +22,8 @@ use crate::lower::{APPLIED, PLACED, TRIAL, bound_once, label};
 use crate::model::acting::{Effort, RequestedEffort};
 use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind};
 
-/// An object: where everything stands, the outputs' motion, forces, the drives that hold the mechanism, and names.
+/// An object: where everything stands, the outputs' motion, forces, the drives that hold the mechanism, its accelerations
+/// under given drives, and names.
 pub(super) fn object(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
@@ -34,18 +35,18 @@ pub(super) fn object(
     let read = given(mechanism, routine.reads.iter().copied());
     function(mechanism, placing, routine, 1, &read, false, &mut script);
     script.put(", nameOfPlace),\n");
-    // No drive is given to a page that a force could be said by.
-    let is_known = |routine: &&Routine| !routine.given.contains(&ArgumentKind::Drives);
-    if let Some(routine) = placing.routines.get(APPLIED).filter(is_known) {
+    if let Some(routine) = placing.routines.get(APPLIED) {
         let read = given(mechanism, routine.reads.iter().copied());
-        script.put("applied: (p, q, v, a, l) => ");
+        script.put("applied: (p, q, v, a, l, e) => ");
         function(mechanism, placing, routine, 1, &read, false, &mut script);
         let points: Vec<String> = pushed(mechanism).map(|point| point.to_string()).collect();
         script.put(", (k) => PLAN.points[MACHINE.appliedAt[k >> 1]]),\nappliedAt: [");
         script.put(&points.join(", ")).put("],\n");
     }
     [placing, lowered].iter().for_each(|lowered| searches(mechanism, lowered, &mut script));
-    for analysis in [Analysis::Motion, Analysis::Forces, Analysis::Holding] {
+    let analyses =
+        [Analysis::Motion, Analysis::Forces, Analysis::Holding, Analysis::ForwardDynamics];
+    for analysis in analyses {
         entry(mechanism, lowered, analysis, &mut script);
     }
     let outputs = mechanism.outputs.iter().map(output);
@@ -74,7 +75,7 @@ fn entry(mechanism: &Mechanism, lowered: &Lowered<'_>, analysis: Analysis, to: &
         // The angle of the cosine and the sine is looked at first.
         given.insert(0, format!("[q[0], {}]", quoted(&text(&mechanism.inputs[0].name))));
     }
-    to.put(name).put(": (p, q, v, a, l) => ");
+    to.put(name).put(": (p, q, v, a, l, e) => ");
     function(mechanism, lowered, &lowered.routines[*routine], stage + 1, &given, true, to);
     let names = list(labels::of_result(interface, mechanism, interface.entry(id)));
     to.put(&format!(", (k) => MACHINE.{name}Names[k]),\n{name}Names: {names},\n"));
