@@ -13,11 +13,13 @@ mod drawn_inputs;
 mod eight_bars;
 mod files;
 mod following;
+mod guides_through_pins;
 mod held_plates;
 mod hidden_names;
 pub(crate) mod lorry;
 mod machine;
 mod named_expressions;
+mod parts_of_the_ground;
 mod poses;
 mod random;
 mod scales;
@@ -25,6 +27,7 @@ mod several_inputs;
 mod textbook;
 mod two_drives;
 mod variants;
+mod whole_turns;
 
 /// A machine of the text files beside this.
 struct Case {

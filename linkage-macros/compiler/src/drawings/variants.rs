@@ -216,6 +216,14 @@ fn a_bar_too_few_or_too_many_is_told_by_its_names() {
         for (i, a) in pins.iter().enumerate() {
             for b in pins[..i].iter().step_by(3) {
                 let more = format!("{}\nlink extra({a}, {b});", case.statements);
+                let is_ground = |pin: &str| {
+                    let mut of_ground = lines.iter().filter(|line| line.starts_with("ground "));
+                    of_ground.any(|line| line.contains(&format!(" {pin}(")))
+                };
+                if is_ground(a) && is_ground(b) {
+                    assert!(resolved_text(&more).is_ok(), "it is a part of the ground");
+                    continue;
+                }
                 let mistakes = resolved_text(&more).err().expect("a link is too many");
                 assert!(mistakes[0].contains("`extra`"), "{}: {mistakes:?}", case.name);
                 told[1] += 1;

@@ -18,6 +18,8 @@ pub(crate) struct AsDrawn {
     pub joints: Vec<PointId>,
     /// The links whose frame is turned against that of their group, and the angle.
     pub turns: Vec<(LinkId, Scalar)>,
+    /// The links that unknowns of searches turn.
+    pub searched: Vec<LinkId>,
 }
 
 /// A link that is drawn on a guide. With the slide s of a group's joint its slide is ±s + `shift`.

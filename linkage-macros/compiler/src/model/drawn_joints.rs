@@ -42,6 +42,8 @@ pub(in crate::model) fn links_are_as_drawn(scope: &mut Scope<'_>) {
         Some(Entity::Link(link)) => Some(link),
         _ => None,
     };
+    let searched = drawn.searched.iter().filter_map(|name| link(name, scope)).collect();
+    scope.mechanism.as_drawn.searched = searched;
     for [driven, by] in &drawn.drives {
         if let (Some(driven), Some(by)) = (link(driven, scope), link(by, scope)) {
             scope.mechanism.as_drawn.drives.push(DrawnDrive { link: driven, by });

@@ -20,6 +20,8 @@ pub(in crate::model) struct DrawnLinks {
     pub pins: Vec<PinFound>,
     /// In the order in which groups make their joints.
     pub slides: Vec<SlideFound>,
+    /// Links that unknowns turn which nobody has written.
+    pub searched: Vec<Ident>,
     /// Links that are driven, and those whose drivers drive them.
     pub drives: Vec<[Ident; 2]>,
 }

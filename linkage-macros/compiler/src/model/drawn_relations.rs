@@ -25,6 +25,11 @@ impl Mechanism {
         self.as_drawn.turns.iter().find(|(turned, _)| *turned == link).map(|(_, turn)| turn)
     }
 
+    /// True if the unknown of a search turns a link.
+    pub(crate) fn is_searched_for(&self, link: LinkId) -> bool {
+        self.as_drawn.searched.contains(&link)
+    }
+
     /// The joints by which a link slides as it is drawn, by their guides.
     pub(crate) fn slides_of(&self, link: LinkId) -> impl Iterator<Item = &DrawnSlide> {
         self.as_drawn.slides.iter().filter(move |slide| slide.link == link)

@@ -49,6 +49,9 @@ pub(super) trait FramesOfGroups {
         }
     }
 
-    /// The place in the frame of the group that a guide on a link goes through; none where it stays as it is.
+    /// The place that a guide goes through, in the frame of the group of what carries it; none where it stays as it is.
     fn through(&self, guide: &GuideStatement) -> Option<[Expr; 2]>;
+
+    /// The angle there of a guide that runs towards a point; none where that stays as it is.
+    fn towards(&self, guide: &GuideStatement) -> Option<Expr>;
 }

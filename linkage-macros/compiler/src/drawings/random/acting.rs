@@ -92,11 +92,3 @@ pub(super) struct Acting {
     pub stops: Vec<Stop>,
     pub frictions: Vec<Friction>,
 }
-
-impl Acting {
-    /// True if springs or stops act by the angles of links.
-    pub(super) fn turns(&self) -> bool {
-        self.springs.iter().any(|spring| matches!(spring.ends, Ends::Links(_)))
-            || self.stops.iter().any(|stop| matches!(stop.of, Stopped::Angle(_)))
-    }
-}

@@ -55,6 +55,21 @@ impl Drawing {
         turning[link]
     }
 
+    /// All that acts but for springs and stops of angles that count whole turns.
+    pub(super) fn without_turns(&self, acting: &Acting) -> Acting {
+        let mut acting = acting.clone();
+        let is_driven = |link: usize| self.turns_as_driven(link);
+        acting.springs.retain(|spring| match spring.ends {
+            Ends::Links([from, to]) => !(from.is_none_or(is_driven) && to.is_none_or(is_driven)),
+            Ends::Pins(_) => true,
+        });
+        acting.stops.retain(|stop| match stop.of {
+            Stopped::Angle(link) => !is_driven(link),
+            _ => true,
+        });
+        acting
+    }
+
     fn sliding(&self, random: &mut Random) -> Option<usize> {
         let all: Vec<_> =
             (0..self.links.len()).filter(|&link| !self.links[link].on.is_empty()).collect();

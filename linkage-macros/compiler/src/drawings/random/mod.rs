@@ -27,25 +27,12 @@ use outcomes::{Outcomes, Sample};
 
 /// Messages about machines that are driven at a link at random: that one unknown does not solve them, that a gear turns
 /// what it is read from, which is not followed backwards, or that the drawing is next to a limit.
-///
-/// The last three are faults of the compiler, to be taken out when they are mended. A guide through a pin of its link is
-/// refused where that link's group does not make the pin; a circle of groups is told in words of statements that nobody
-/// wrote; and an interval that the compiler has chosen itself is refused at one of its ends.
-const REFUSED: [&str; 8] = [
-    "class III or higher",
-    "fight",
-    "a dead point",
-    "draw another pose",
-    "close to the drawing",
-    "is no point of",
-    "need each other",
-    "at this end",
-];
+const REFUSED: [&str; 5] =
+    ["class III or higher", "fight", "a dead point", "draw another pose", "close to the drawing"];
 
-/// Machines by their numbers that the compiler gets wrong, to be taken in when it does not: the coil of two of them is a turn
-/// off in the drawn pose, as a link that is drawn against its guide is turned by half a turn forwards wherever it is
-/// drawn; and the search of the other ends inside the stretch that its documentation gives.
-const WRONG: [u64; 3] = [130, 147, 69];
+/// Machines by their numbers that the compiler gets wrong, to be taken in when it does not: their searches end inside the
+/// stretch that the documentation gives, of the second along an input of which it says nothing.
+const WRONG: [u64; 2] = [69, 72];
 
 /// Machines of consecutive seeds, every number of which is right.
 fn outcomes(seeds: std::ops::Range<u64>, sample: impl Fn(u64) -> Sample) -> Outcomes {
@@ -81,7 +68,7 @@ fn many_random_machines_are_what_all_their_joints_say() {
     for refused in found.refused.keys().chain(found.refused_elsewhere.keys()) {
         assert!(REFUSED.iter().any(|known| refused.contains(known)), "{refused}");
     }
-    assert!(found.refused_elsewhere.values().sum::<usize>() < 40, "{found:?}");
+    assert!(found.refused_elsewhere.values().sum::<usize>() < 25, "{found:?}");
     for part in PARTS {
         assert!(found.parts.get(&format!("{part:?}")).is_some_and(|&count| count > 4), "{part:?}");
     }

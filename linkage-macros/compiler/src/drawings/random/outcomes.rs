@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::super::machine::{Machine, machine};
 use super::super::variants::Random;
-use super::acting::{Acting, Ends, Stopped};
+use super::acting::{Acting, Ends};
 use super::comparing::{self, Off};
 use super::compiled;
 use super::drawing::{Drawing, Place, Read, Value};
@@ -160,7 +160,7 @@ impl Outcomes {
         is_asked: bool,
         random: &mut Random,
     ) -> Result<Declared, String> {
-        let mut acting = acting.clone();
+        let mut acting = drawing.without_turns(acting);
         let statements = drawing.statements(random);
         loop {
             let forces = drawing.acting_statements(&acting, random);
@@ -170,12 +170,6 @@ impl Outcomes {
             let asked = if is_asked { asked(&acting, has_losses) } else { String::new() };
             let source = format!("pub struct M {{\n{statements}\n{forces}\n{asked}\n}}");
             match machine(&source) {
-                // The link that a search turns counts whole turns: left out, for a stop or a spring on its angle may
-                // be off by one in the drawing itself.
-                Ok(machine) if !machine.mechanism.unknowns.is_empty() && acting.turns() => {
-                    acting.springs.retain(|spring| matches!(spring.ends, Ends::Pins(_)));
-                    acting.stops.retain(|stop| !matches!(stop.of, Stopped::Angle(_)));
-                }
                 Ok(machine) => return Ok(Declared { machine, acting, source }),
                 // Beside a search friction is refused.
                 Err(told)

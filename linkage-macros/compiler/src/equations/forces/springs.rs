@@ -12,17 +12,20 @@
 //!
 //! # Between two bodies
 //! φ is the angle of the second against the first and the free angle; on the second acts −k φ − c φ̇,
-//! its opposite on the first. Energy: ½ k φ². Where what drives both says their angles, as sums of
-//! inputs and slides, or where they differ by such a sum, φ is that sum. Elsewhere it comes from the
-//! two unit vectors and lies in (−π, π].
+//! its opposite on the first. Energy: ½ k φ². Where cranks turn both, or guides that inputs turn, or where they differ by
+//! what such turn, φ is the sum of their angles. Elsewhere φ lies in (−π, π]: it comes from the two unit vectors, or is a
+//! sum of angles that stand still.
 //!
 //! # Source
 //! Norton, Design of Machinery, ch. 10 and 15.
+
+use std::f64::consts::{PI, TAU};
 
 use crate::equations::forces::provided::{Line, not_negative, vector};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
+use crate::exact::Exact;
 use crate::function::Function;
 use crate::model::acting::{Ends, Spring};
 use crate::model::mechanism::{AngleSum, Carrier, LinkId, PointId, SpringId};
@@ -174,11 +177,11 @@ pub(in crate::equations) fn twist<'s>(kinematics: &Kinematics<'s>, id: SpringId)
         unreachable!("the model asks springs between bodies alone")
     };
     let free = numbers(kinematics, id.index()).free;
-    let mut turned = Turned { links: Vec::new(), rest: Jet::constant(-free) };
+    let mut turned = Turned::by(Jet::constant(-free));
     turned.add_body(kinematics, second, 1);
     turned.add_body(kinematics, first, -1);
-    if turned.links.iter().all(|(_, times)| *times == 0) {
-        return turned.rest;
+    if let Some(sum) = turned.sum() {
+        return sum;
     }
     let [first, second] = [first, second].map(|body| kinematics.carrier(body).direction);
     let unit = Vector { x: free.cos(), y: free.sin() };
@@ -194,12 +197,12 @@ pub(super) fn turned_from<'s>(
     from: Sym<'s>,
 ) -> Jet<'s> {
     let rest = kinematics.jet(&sum.rest) + Jet::constant(-from);
-    let mut turned = Turned { links: Vec::new(), rest };
+    let mut turned = Turned::by(rest);
     for &(link, times) in &sum.links {
         turned.add_body(kinematics, Carrier::Link(link), i64::from(times));
     }
-    if turned.links.iter().all(|(_, times)| *times == 0) {
-        return turned.rest;
+    if let Some(sum) = turned.sum() {
+        return sum;
     }
     let ground = kinematics.carrier(Carrier::Ground).direction;
     let to = kinematics.turned(ground, sum);
@@ -212,25 +215,37 @@ pub(super) fn turned_from<'s>(
 /// angles remain.
 struct Turned<'s> {
     links: Vec<(LinkId, i64)>,
+    /// The links among them that cranks turn, as often as they are counted.
+    cranks: Vec<(LinkId, i64)>,
     rest: Jet<'s>,
 }
 
 impl<'s> Turned<'s> {
+    fn by(rest: Jet<'s>) -> Self {
+        Self { links: Vec::new(), cranks: Vec::new(), rest }
+    }
+
+    /// The angle where nothing but drivers and guides says it. One that stands still is no count of turns.
+    fn sum(&self) -> Option<Jet<'s>> {
+        let is_none = |counted: &[(LinkId, i64)]| counted.iter().all(|(_, times)| *times == 0);
+        is_none(&self.links).then(|| match is_none(&self.cranks) && self.rest.is_fixed() {
+            true => Jet::constant(within_half_a_turn(self.rest.value)),
+            false => self.rest,
+        })
+    }
+
     fn add_body(&mut self, kinematics: &Kinematics<'s>, body: Carrier, times: i64) {
         let Carrier::Link(link) = body else { return };
-        let Some((carrier, turn)) = kinematics.mechanism.carried_angle(link) else {
-            return self.add_link(link, times);
-        };
+        let mechanism = kinematics.mechanism;
+        // The turns of an unknown that nobody wrote are a matter of how the machine is solved.
+        let carried = mechanism.carried_angle(link).filter(|_| !mechanism.is_searched_for(link));
+        let Some((carrier, turn)) = carried else { return add(&mut self.links, link, times) };
+        if mechanism.is_crank(link) {
+            add(&mut self.cranks, link, times);
+        }
         self.add_body(kinematics, carrier, times);
         if let Some(turn) = turn {
             self.add_turn(kinematics, turn, times);
-        }
-    }
-
-    fn add_link(&mut self, link: LinkId, times: i64) {
-        match self.links.iter_mut().find(|(known, _)| *known == link) {
-            Some((_, sum)) => *sum += times,
-            None => self.links.push((link, times)),
         }
     }
 
@@ -240,5 +255,24 @@ impl<'s> Turned<'s> {
         }
         let factor = kinematics.builder.integer(times);
         self.rest = self.rest + kinematics.jet(&turn.rest).times(factor);
+    }
+}
+
+fn add(counted: &mut Vec<(LinkId, i64)>, link: LinkId, times: i64) {
+    match counted.iter_mut().find(|(known, _)| *known == link) {
+        Some((_, sum)) => *sum += times,
+        None => counted.push((link, times)),
+    }
+}
+
+/// The angle in (−π, π], as it is where it is known to lie there.
+fn within_half_a_turn(angle: Sym<'_>) -> Sym<'_> {
+    match angle.constant_value() {
+        Some(value) if value.abs() < PI => angle,
+        Some(value) => {
+            let turns = angle.builder().integer((0.5 - value / TAU).floor() as i64);
+            angle + turns * angle.builder().constant(Exact::pi()).twice()
+        }
+        None => angle.sin().apply2(Function::Atan2, angle.cos()),
     }
 }

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use proc_macro2::Ident;
 
-use crate::chain::machine::{Driven, GROUND};
+use crate::chain::machine::{Driven, Driving, GROUND};
 use crate::chain::plane::Complex;
 use crate::diagnostics::Extent;
 use crate::syntax::tree::{Expr, PointPlace, PointStatement, StatementKind};
@@ -159,6 +159,30 @@ impl Measured<'_> {
             return Some(inputs);
         }
         Some(self.turned_on(bodies, &equations, &rows).unwrap_or(inputs))
+    }
+
+    /// The values of drives at the inputs of the drawing, with the whole turns of those whose angles they read.
+    pub(super) fn driven(&mut self, bodies: &Bodies<'_>, inputs: Option<&[f64]>) -> Vec<f64> {
+        let count = bodies.drives.len();
+        let drawn = (0..count).map(|drive| bodies.drawn_value(drive).unwrap_or_default());
+        let mut values: Vec<_> = drawn.collect();
+        let Some(inputs) = inputs else { return values };
+        let mut turns = vec![0.0; bodies.frames.len()];
+        // A drive may read what another one turns.
+        for _ in 0..count {
+            for (index, (_, drive)) in bodies.drives.iter().enumerate() {
+                let value = bodies.as_drawn(&drive.value, &self.pen, &turns);
+                values[index] = self.at_inputs(&value, inputs).unwrap_or(values[index]);
+                let Driving { kind: Driven::Angle, bodies: [body, to], .. } =
+                    bodies.machine.drives[index]
+                else {
+                    continue;
+                };
+                let turned = bodies.drawn_angle(to) + turns[to] + values[index];
+                turns[body] = TAU * ((turned - bodies.drawn_angle(body)) / TAU).round();
+            }
+        }
+        values
     }
 
     /// True if all equations are, as all but few are: their inputs are those of one system.

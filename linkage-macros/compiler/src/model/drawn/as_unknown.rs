@@ -181,7 +181,9 @@ impl Writer<'_, '_> {
                 (Origin::Guide(guide), axis.placed(&pen, &[along, pen.zero()]))
             }
         };
-        self.settle(body, DrawnFrame { begins, points: line.points, origin, axis: line.along });
+        let counted = self.counted_on_rail(slide, body);
+        let frame = DrawnFrame { begins, points: line.points, origin, axis: line.along };
+        self.settle(body, frame, counted);
         self.slide_is_made(slide, body, None);
         self.pin_is_elsewhere(body, pin);
     }
@@ -214,6 +216,7 @@ impl Writer<'_, '_> {
         let [from, to] = pins.map(|pin| self.bodies.pins[pin].name.clone());
         let block = self.block(body, &name, Pair::Pin(pins[1]));
         let fields = vec![self.mode(body, "ahead")];
+        self.turns.join(&name, &from);
         let group = group_of("rpr", vec![(block, to), (name, from)], None, fields);
         self.put(behind, StatementKind::Group(group));
     }

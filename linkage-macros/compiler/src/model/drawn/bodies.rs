@@ -62,6 +62,10 @@ pub(super) struct Bodies<'t> {
     pub(super) machine: Machine,
     /// The motions of the bodies from the drawing to the pose in which lengths are as declared.
     pub(super) displacements: Vec<Displacement>,
+    /// Links that two pins hold to the ground, each behind those on which its pins are.
+    pub(super) fixed: Vec<usize>,
+    /// The values of the drives in that pose, with whole turns.
+    pub(super) driven: Vec<f64>,
 }
 
 impl<'t> Bodies<'t> {
@@ -121,11 +125,6 @@ impl<'t> Bodies<'t> {
             }
             _ => None,
         })
-    }
-
-    /// True if a point is a pin of a body.
-    pub(super) fn has_pin(&self, body: usize, name: &Ident) -> bool {
-        self.machine.bodies[body].pins.iter().any(|&pin| self.pins[pin].name == *name)
     }
 
     /// The body that a link's name stands for.

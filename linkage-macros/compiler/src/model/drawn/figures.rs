@@ -4,6 +4,8 @@
 //! not, it stays an expression of what the user has written, so that a parameter in a pin is a
 //! parameter of the solver.
 
+use std::f64::consts::{PI, TAU};
+
 use proc_macro2::{Ident, Span};
 
 use crate::exact::Exact;
@@ -235,24 +237,29 @@ impl Pen {
         if let Some(long) = exact.as_ref().filter(|exact| exact.is_too_long()) {
             return self.rounded(long, (y.value.atan2(x.value), 0));
         }
-        let degree = unit("deg").map(|(_, factor)| factor);
-        let degrees = exact.as_ref().zip(degree).and_then(|(angle, degree)| angle.div(&degree));
-        let decimal = degrees.and_then(|value| self.literal(&value, vec![("deg".into(), 1)]));
+        let decimal = exact.as_ref().and_then(|angle| self.in_degrees(angle));
         let text = decimal.unwrap_or_else(|| self.call("atan2", &[y, x]));
         Figure { text, value: y.value.atan2(x.value), exact, power: 0 }
     }
 
-    /// The angle of a direction against another, between −110° and 250°: a half turn, which drawings have often, lies far
-    /// from both ends, so that its last digits change it by no whole turn.
-    pub(super) fn turn(&self, along: &[Figure; 2]) -> Figure {
-        const LEAST: f64 = -11.0 / 18.0 * std::f64::consts::PI;
+    fn in_degrees(&self, angle: &Exact) -> Option<Expr> {
+        let (_, degree) = unit("deg")?;
+        self.literal(&angle.div(&degree)?, vec![("deg".into(), 1)])
+    }
+
+    /// The angle of a direction from an axis that is at an angle itself: as many turns on as bring the sum of both to
+    /// within half a turn.
+    pub(super) fn turn(&self, along: &[Figure; 2], from: f64) -> Figure {
         let angle = self.angle(along);
-        if angle.value >= LEAST {
+        let turns = whole_turns(from + angle.value);
+        if turns == 0.0 || !turns.is_finite() {
             return angle;
         }
-        let exact = Exact::pi().mul(&Exact::integer(2));
-        let whole = Figure::plain(self.float(1.0, "turn"), std::f64::consts::TAU, Some(exact));
-        self.add(&angle, &whole)
+        let exact = Exact::pi().mul(&Exact::integer(2 * turns as i64));
+        let whole = Figure::plain(self.float(turns, "turn"), TAU * turns, Some(exact));
+        let sum = self.add(&angle, &whole);
+        let decimal = sum.exact.as_ref().and_then(|angle| self.in_degrees(angle));
+        Figure { text: decimal.unwrap_or(sum.text), ..sum }
     }
 
     /// A length of the drawing that is known as a float only: its shortest decimal.
@@ -322,4 +329,29 @@ pub(super) fn sum(first: Expr, second: Expr) -> Expr {
 /// The square root of an expression.
 pub(super) fn root_of(square: Expr, at: Span) -> Expr {
     Expr { kind: ExprKind::Call(Ident::new("sqrt", at), vec![square]), span: at.into() }
+}
+
+/// The whole turns that bring an angle to within half a turn. Half a turn backwards counts as one forwards, to more than
+/// rounding and the last digits of a drawing, so that these change no angle by a turn.
+fn whole_turns(angle: f64) -> f64 {
+    const LAST_DIGITS: f64 = 1e-6;
+    ((PI + LAST_DIGITS - angle) / TAU).floor()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_a_turn_counts_forwards_whatever_its_last_digits() {
+        let half = [PI, -PI, PI + 1e-9, 1e-9 - PI, -PI - 1e-9, 5.0 * PI, -7.0 * PI];
+        for angle in half {
+            assert!((angle + TAU * whole_turns(angle) - PI).abs() < 2e-9, "{angle}");
+        }
+        for (angle, turns) in
+            [(0.0, 0.0), (3.0, 0.0), (-3.0, 0.0), (3.3, -1.0), (-3.3, 1.0), (9.5, -2.0)]
+        {
+            assert_eq!(whole_turns(angle), turns, "{angle}");
+        }
+    }
 }

@@ -1,15 +1,17 @@
 //! Links whose group gave them another frame than their statement: what else is written in their frames is
 //! shifted to those of the groups, a statement by its own rules.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::exact::Exact;
-use crate::syntax::tree::{Expr, ExprKind, GuideAnchor, GuideStatement, PointPlace, Statement};
+use crate::syntax::tree::{
+    Course, Expr, ExprKind, GuideAnchor, GuideStatement, PointPlace, Statement,
+};
 
-use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn::bodies::{Bodies, GuideLine};
 use crate::model::drawn::figures::{Figure, Pen, sum};
 use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn_links::TurnedFrame;
@@ -32,19 +34,47 @@ pub(super) struct FrameShifts<'b, 't> {
     bodies: &'b Bodies<'t>,
     pen: Pen,
     by_link: HashMap<String, FrameShift>,
+    /// Links, each with a pin that their group gives them.
+    joined: HashSet<[String; 2]>,
 }
 
 impl<'b, 't> FrameShifts<'b, 't> {
     pub(super) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
-        Self { bodies, pen: pen.clone(), by_link: HashMap::new() }
+        Self { bodies, pen: pen.clone(), by_link: HashMap::new(), joined: HashSet::new() }
     }
 
-    /// Remembers a link whose group gave it this frame.
+    /// Remembers that a link's group gives it a pin.
+    pub(super) fn join(&mut self, link: &Ident, pin: &Ident) {
+        self.joined.insert([link.to_string(), pin.to_string()]);
+    }
+
+    /// The body of a guide of the drawing, where a point that its statement names is none of what the groups have made of
+    /// that body: the drawing says where it is.
+    fn drawn_guide(
+        &self,
+        guide: &GuideStatement,
+        point: &Ident,
+    ) -> Option<(usize, &GuideLine<'t>)> {
+        let body = guide.on.as_ref().map_or(Some(GROUND), |on| self.bodies.body(on))?;
+        let is_made = match &guide.on {
+            None => {
+                let pins = &self.bodies.machine.bodies[GROUND].pins;
+                let pin = self.bodies.pins.iter().position(|pin| pin.name == *point);
+                pin.is_none_or(|pin| pins.contains(&pin))
+            }
+            Some(on) => self.joined.contains(&[on.to_string(), point.to_string()]),
+        };
+        let is_given = body != GROUND && self.bodies.link(body).is_given;
+        let known = self.bodies.guides.iter().find(|known| known.name == &guide.name)?;
+        (!is_made && !is_given).then_some((body, known))
+    }
+
+    /// Remembers a link whose group gave it this frame, at this angle in the drawing.
     pub(super) fn note(
         &mut self,
         link: &Ident,
         written: &DrawnFrame,
-        own: &DrawnFrame,
+        (own, counted): (&DrawnFrame, f64),
         length: Option<&Expr>,
     ) {
         if written.is(own) {
@@ -59,13 +89,13 @@ impl<'b, 't> FrameShifts<'b, 't> {
             () if written.points == own.points => (None, pen.x_axis()),
             () if is_reversed => {
                 let axis = pen.x_axis().map(|part| pen.neg(&part));
-                (Some(pen.angle(&axis)), axis)
+                (Some(pen.turn(&axis, counted)), axis)
             }
             () => {
                 let along = own.local_direction(&pen, &written.axis);
                 let size = pen.size(&along);
                 let axis = along.each_ref().map(|part| pen.div(part, &size));
-                (Some(pen.turn(&along)), axis)
+                (Some(pen.turn(&along, counted)), axis)
             }
         };
         let origin = match (length, written.points) {
@@ -97,6 +127,12 @@ impl<'b, 't> FrameShifts<'b, 't> {
         let mut turned: Vec<_> = turned.collect();
         turned.sort_by_key(|turned| turned.link.to_string());
         turned
+    }
+
+    /// The angle of a link's frame against that of its group, in the drawing.
+    pub(super) fn turn_of(&self, link: &Ident) -> f64 {
+        let turn = self.of(link).and_then(|turn| turn.angle.as_ref());
+        turn.map_or(0.0, |turn| turn.value)
     }
 
     fn of(&self, link: &Ident) -> Option<&FrameShift> {
@@ -178,27 +214,34 @@ impl FramesOfGroups for FrameShifts<'_, '_> {
         }
     }
 
-    fn through(
-        &self,
-        GuideStatement { name, on, through, .. }: &GuideStatement,
-    ) -> Option<[Expr; 2]> {
-        let on = on.as_ref()?;
-        let point = match through {
-            GuideAnchor::At(place) => return Some(self.place(on, place)),
+    fn through(&self, guide: &GuideStatement) -> Option<[Expr; 2]> {
+        let point = match &guide.through {
+            GuideAnchor::At(place) => return Some(self.place(guide.on.as_ref()?, place)),
             GuideAnchor::Point(point) => point,
             GuideAnchor::Mistake => return None,
         };
-        // Any pin's place in the drawing will do.
-        let body = self
-            .bodies
-            .body(on)
-            .filter(|&body| body != GROUND && !self.bodies.link(body).is_given)?;
-        if self.bodies.has_pin(body, point) {
-            return None;
-        }
-        let guide = self.bodies.guides.iter().find(|known| known.name == name)?;
-        let local = self.bodies.frames[body].local(&self.pen.at(point.span()), &guide.line.through);
-        Some(self.place(on, &local.map(|number| number.text)))
+        let (body, GuideLine { line, through, .. }) = self.drawn_guide(guide, point)?;
+        let Some(on) = &guide.on else {
+            return Some(line.through.clone().map(|number| number.text));
+        };
+        let (pen, link) = (self.pen.at(point.span()), self.bodies.link(body));
+        let local = match (&link.length, &link.pins[..]) {
+            // The far end is where the declared length puts it.
+            (Some((length, _)), &[_, far]) if *through == Some(far) => {
+                [(*length).clone(), pen.zero().text]
+            }
+            _ => self.bodies.frames[body].local(&pen, &line.through).map(|number| number.text),
+        };
+        Some(self.place(on, &local))
+    }
+
+    fn towards(&self, guide: &GuideStatement) -> Option<Expr> {
+        let Course::Towards(point) = &guide.course else { return None };
+        let (body, GuideLine { line, .. }) = self.drawn_guide(guide, point)?;
+        let pen = self.pen.at(point.span());
+        let along = self.bodies.frames[body].local_direction(&pen, &line.along);
+        let angle = pen.angle(&along).text;
+        Some(guide.on.as_ref().map_or(angle.clone(), |on| self.added(on, angle)))
     }
 }
 

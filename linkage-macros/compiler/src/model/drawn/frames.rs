@@ -39,12 +39,14 @@ pub(super) struct DrawnLine {
     /// Not of length one.
     pub along: [Figure; 2],
     pub points: Heading,
+    /// The angle that it is given by, from the frame of its body.
+    pub angle: Option<f64>,
 }
 
 impl DrawnLine {
     pub(super) fn unknown(zero: Figure) -> Self {
         let zero = [zero.clone(), zero];
-        Self { through: zero.clone(), along: zero, points: Heading::X }
+        Self { through: zero.clone(), along: zero, points: Heading::X, angle: None }
     }
 }
 

@@ -243,7 +243,11 @@ fn line_of(
     };
     // The ground's axis is nobody else's.
     let points = if points == Heading::X { Heading::Guide(guide) } else { points };
-    Some(DrawnLine { through, along, points })
+    let angle = match course {
+        Course::Along(angle) => reader.values.angle(angle).map(|angle| angle.value),
+        _ => None,
+    };
+    Some(DrawnLine { through, along, points, angle })
 }
 
 /// The direction of a guide in the drawing, and whether it is that of the frame.

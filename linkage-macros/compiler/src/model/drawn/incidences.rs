@@ -76,6 +76,7 @@ impl<'t> Reader<'t, '_, '_> {
             };
             machine.bodies.push(RigidBody { pins, given, reads });
         }
+        let fixed = self.fixed(&mut machine);
         for (index, link) in self.links.iter().enumerate() {
             for &guide in &link.on {
                 let GuideLine { on, line, .. } = &self.guides[guide];
@@ -92,8 +93,39 @@ impl<'t> Reader<'t, '_, '_> {
         }
         machine.varies = self.varies();
         let Self { tree, pins, links, guides, .. } = self;
-        let displacements = Vec::new();
-        Some(Bodies { tree, pins, links, guides, drives, frames, machine, displacements })
+        let (displacements, driven) = (Vec::new(), Vec::new());
+        Some(Bodies {
+            tree,
+            pins,
+            links,
+            guides,
+            drives,
+            frames,
+            machine,
+            fixed,
+            displacements,
+            driven,
+        })
+    }
+
+    /// The links that two pins hold to the ground: they are parts of it.
+    fn fixed(&self, machine: &mut Machine) -> Vec<usize> {
+        let mut resting = machine.bodies[GROUND].pins.clone();
+        let mut fixed: Vec<usize> = Vec::new();
+        loop {
+            let held = |body: usize| {
+                let link = &self.links[body - 1];
+                let pins: Vec<_> =
+                    link.pins.iter().copied().filter(|pin| resting.contains(pin)).collect();
+                let is_free = !link.is_given && link.length.is_none() && !fixed.contains(&body);
+                (is_free && pins.len() > 1).then_some((body, pins))
+            };
+            let Some((body, pins)) = (1..machine.bodies.len()).find_map(held) else { return fixed };
+            let of = &mut machine.bodies[body];
+            resting.extend(&of.pins);
+            of.given = Some(Footing { bodies: Vec::new(), pins });
+            fixed.push(body);
+        }
     }
 
     /// True if a dimension of the drawing is not a constant.

@@ -12,6 +12,7 @@ mod as_unknown;
 mod bars;
 mod bent;
 mod bodies;
+mod counted;
 mod ends;
 mod figures;
 mod followed;
@@ -118,7 +119,9 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         steps = self::steps(&bodies, values.scope.diagnostics)?;
     }
     let inputs = values.inputs_of_the_drawing(&bodies);
+    bodies.driven = values.driven(&bodies, inputs.as_deref());
     let mut writer = writer::Writer::new(&bodies, &values.pen);
+    writer.fixed_links();
     steps.iter().for_each(|step| writer.step(step));
     let translated = writer.declaration();
     let mut docs = tree.docs.clone();

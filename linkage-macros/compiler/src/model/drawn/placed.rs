@@ -68,27 +68,36 @@ impl Writer<'_, '_> {
         let origin = self.place(from).clone();
         let axis = self.pen.at(self.name(body).span()).minus(self.place(to), &origin);
         let (begins, points) = (Origin::Pin(from), Heading::Pins(from, to));
-        self.settle(body, DrawnFrame { begins, points, origin, axis });
+        let counted = self.uncounted(body, &axis);
+        self.settle(body, DrawnFrame { begins, points, origin, axis }, counted);
     }
 
-    pub(super) fn block_is_placed(&mut self, body: usize, pin: usize, guide: usize) {
+    pub(super) fn block_is_placed(
+        &mut self,
+        body: usize,
+        pin: usize,
+        (guide, counted): (usize, f64),
+    ) {
         let line = self.bodies.guides[guide].line.clone();
         let origin = self.place(pin).clone();
         let frame =
             DrawnFrame { begins: Origin::Pin(pin), points: line.points, origin, axis: line.along };
-        self.settle(body, frame);
+        self.settle(body, frame, counted);
     }
 
-    /// Remembers the frame that a group gave a link, and makes the link's other pins.
-    pub(super) fn settle(&mut self, body: usize, frame: DrawnFrame) {
+    /// Remembers the frame that a group gave a link, at this angle in the drawing, and makes the link's other pins.
+    pub(super) fn settle(&mut self, body: usize, frame: DrawnFrame, counted: f64) {
         let (bodies, link) = (self.bodies, self.bodies.link(body));
         let length = link.length.as_ref().map(|(length, _)| *length);
         self.own[body] = Some(frame.clone());
-        self.turns.note(link.name, &bodies.frames[body], &frame, length);
+        self.counted[body] = Some(counted);
+        self.turns.note(link.name, &bodies.frames[body], (&frame, counted), length);
         let ends: Option<[usize; 2]> = length.and_then(|_| link.pins[..].try_into().ok());
         for &pin in &link.points {
-            if std::mem::replace(&mut self.made[pin], true) {
-                let place = &bodies.pins[pin];
+            let place = &bodies.pins[pin];
+            if !std::mem::replace(&mut self.made[pin], true) {
+                self.turns.join(link.name, &place.name);
+            } else {
                 self.replaced.push(place.name.clone());
                 let is_at_distances = matches!(place.on, Some((_, PointPlace::Distances(..))));
                 if is_at_distances || ends.is_some_and(|[_, far]| frame.stands_on(far)) {
@@ -121,6 +130,7 @@ impl Writer<'_, '_> {
                     .map(|number| number.text),
             };
             let (on, place) = (Some(link.name.clone()), PointPlace::Cartesian(place));
+            self.turns.join(link.name, &name);
             let kind = StatementKind::Point(PointStatement { name, on, place });
             self.put(link.statement, kind);
         }

@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use crate::chain::cutting::Dyad;
 use crate::syntax::tree::{
     BinaryOp, Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, GuideStatement, StatementKind,
 };
@@ -9,6 +10,7 @@ use crate::syntax::tree::{
 use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::writer::{Writer, given};
+use crate::model::frames_of_groups::FramesOfGroups;
 
 impl Writer<'_, '_> {
     /// The guide of a slide.
@@ -42,7 +44,7 @@ impl Writer<'_, '_> {
         let pen = self.pen.at(guide.name.span());
         let frame = DrawnFrame { origin: self.beginning(&pen, joint.body, &frame), ..frame };
         let through = frame.local(&pen, &guide.line.through).map(|number| number.text);
-        let along = pen.turn(&frame.local_direction(&pen, &guide.line.along)).text;
+        let along = self.along_rail(&pen, slide).text;
         let kind = StatementKind::Guide(GuideStatement {
             name: name.clone(),
             on: Some(known.clone()),
@@ -70,7 +72,8 @@ impl Writer<'_, '_> {
             Some(_) => (written.begins, written.origin),
             None => self.foot(guide, &written),
         };
-        self.settle(body, DrawnFrame { begins, points, origin, axis });
+        let counted = self.counted_on_rail(slide, body);
+        self.settle(body, DrawnFrame { begins, points, origin, axis }, counted);
         self.slide_is_made(slide, body, None);
         self.is_driven_by(drive, body);
     }
@@ -85,6 +88,48 @@ impl Writer<'_, '_> {
         }
         let way = self.pen.seen_in_ground(&line.along, &[along, self.pen.zero()]);
         (Origin::Guide(guide), self.pen.plus(&line.through, &way))
+    }
+
+    /// A block in the slot of a yoke on a rail.
+    pub(super) fn yoke(&mut self, dyad: &Dyad, pin: usize, slot: usize, rail: usize) {
+        let [block, yoke] = self.bars(dyad);
+        let guides = [slot, rail].map(|slide| self.guide_of(slide));
+        let lines = guides.map(|guide| self.bodies.guides[guide].line.clone());
+        let along = lines.each_ref().map(|line| line.along.clone());
+        let pen = self.pen.at(self.name(yoke).span());
+        let written = &self.bodies.frames[yoke];
+        let slot_of_yoke = &self.bodies.guides[guides[0]];
+        let counted = self.counted_on_rail(rail, yoke);
+        let (angle, turned) = match (slot_of_yoke.along, lines[0].angle) {
+            (Some(angle), Some(turned))
+                if slot_of_yoke.on == yoke && written.points == lines[1].points =>
+            {
+                (angle.clone(), turned)
+            }
+            _ => {
+                let slot = [pen.dot(&along[1], &along[0]), pen.cross(&along[1], &along[0])];
+                let Figure { text, value, .. } = pen.turn(&slot, counted);
+                (text, value)
+            }
+        };
+        // The yoke's frame begins on the rail: where it is written if that lies there.
+        let origin = pen.minus(&written.origin, &lines[1].through);
+        let is_on_rail =
+            pen.cross(&along[1], &origin).is_zero() || written.begins == Origin::Guide(guides[0]);
+        let frame = DrawnFrame {
+            begins: if is_on_rail { written.begins } else { Origin::Guide(guides[1]) },
+            points: lines[1].points,
+            origin: if is_on_rail { written.origin.clone() } else { lines[1].through.clone() },
+            axis: along[1].clone(),
+        };
+        let [_, offset] = pen.seen_from(&along[0], &pen.minus(self.place(pin), &frame.origin));
+        let mut fields = vec![("slot", GroupFieldValue::One(self.turns.expr(&angle)))];
+        fields.extend(self.offsets([pen.zero(), offset]));
+        self.write(dyad, None, fields);
+        self.settle(yoke, frame.clone(), counted);
+        self.block_is_placed(block, pin, (guides[0], counted + turned));
+        self.slide_is_made(rail, yoke, None);
+        self.slide_is_made(slot, block, Some(self.beginning(&pen, yoke, &frame)));
     }
 
     /// How far a driven link is along the guide. One that carries the guide goes the other way.

@@ -47,6 +47,8 @@ pub(super) struct Writer<'b, 't> {
     pub(super) turns: FrameShifts<'b, 't>,
     /// The frames that groups have given links so far.
     pub(super) own: Vec<Option<DrawnFrame>>,
+    /// The angles of these frames in the drawing, as drivers and guides count them.
+    pub(super) counted: Vec<Option<f64>>,
     pub(super) written: Vec<Written>,
     /// The searches so far.
     pub(super) searches: Vec<Sought>,
@@ -66,11 +68,12 @@ impl<'b, 't> Writer<'b, 't> {
     pub(super) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
         let mut made = vec![false; bodies.pins.len()];
         let machine = &bodies.machine;
-        for body in (0..machine.bodies.len()).filter(|&body| machine.is_given(body)) {
+        let makes = |&body: &usize| machine.is_given(body) && !bodies.fixed.contains(&body);
+        for body in (0..machine.bodies.len()).filter(makes) {
             machine.bodies[body].made().for_each(|pin| made[pin] = true);
         }
         let turns = FrameShifts::new(bodies, pen);
-        let own = vec![None; bodies.machine.bodies.len()];
+        let count = machine.bodies.len();
         Self {
             bodies,
             pen: pen.clone(),
@@ -78,7 +81,8 @@ impl<'b, 't> Writer<'b, 't> {
             replaced: Vec::new(),
             misplaced: Vec::new(),
             turns,
-            own,
+            own: vec![None; count],
+            counted: vec![None; count],
             written: Vec::new(),
             searches: Vec::new(),
             searching: None,
@@ -168,6 +172,22 @@ impl<'b, 't> Writer<'b, 't> {
         }
     }
 
+    /// Links that are parts of the ground, as cranks that stand still.
+    pub(super) fn fixed_links(&mut self) {
+        for &body in &self.bodies.fixed {
+            let written = self.bodies.frames[body].clone();
+            let pivot = self.bodies.machine.bodies[body].given.as_ref().map(|given| given.pins[0]);
+            let Some(pivot) = pivot else { continue };
+            let angle = self.pen.at(self.name(body).span()).angle(&written.axis).text;
+            let fields = vec![("angle", GroupFieldValue::One(angle))];
+            let legs = [(body, self.name(body).clone(), self.bodies.pins[pivot].name.clone())];
+            self.group("crank", &legs, None, fields, None);
+            let counted = self.bodies.drawn_angle(body);
+            let (begins, origin) = (Origin::Pin(pivot), self.place(pivot).clone());
+            self.settle(body, DrawnFrame { begins, origin, ..written }, counted);
+        }
+    }
+
     fn crank(&mut self, drive: Option<usize>, body: usize, reference: usize, pivot: usize) {
         let written = self.bodies.frames[body].clone();
         let mut angle = self.value(drive, body);
@@ -202,9 +222,16 @@ impl<'b, 't> Writer<'b, 't> {
                 ..written
             },
         };
-        self.settle(body, frame);
+        let counted = match drive {
+            Some(drive) => self.counted_by_drive(drive, body, reference),
+            None => self.bodies.drawn_angle(body),
+        };
+        self.settle(body, frame, counted);
         self.bars.extend(tip.map(|_| body));
-        self.is_driven_by(drive, body);
+        match drive {
+            Some(_) => self.is_driven_by(drive, body),
+            None => self.links.searched.push(self.name(body).clone()),
+        }
     }
 
     fn dyad(&mut self, dyad: &Dyad) {
@@ -232,7 +259,8 @@ impl<'b, 't> Writer<'b, 't> {
                 let names = [self.bar_name(&bar), self.name(block).clone()];
                 self.write_named(dyad, names, Some(v), fields);
                 self.settle_bar(bar);
-                self.block_is_placed(block, v, guide);
+                let counted = self.counted_on_rail(s, block);
+                self.block_is_placed(block, v, (guide, counted));
                 self.slide_is_made(s, block, None);
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
@@ -245,8 +273,9 @@ impl<'b, 't> Writer<'b, 't> {
                 fields.extend(given(offset));
                 fields.push(self.mode(block, sense(sign)));
                 self.write(dyad, None, fields);
-                self.block_is_placed(block, u, guide);
-                self.block_is_placed(bar, w, guide);
+                let counted = self.uncounted(bar, &line.along);
+                self.block_is_placed(block, u, (guide, counted));
+                self.block_is_placed(bar, w, (guide, counted));
                 let start = self.start_on_bar(s, bar);
                 self.slide_is_made(s, block, start);
             }
@@ -256,49 +285,16 @@ impl<'b, 't> Writer<'b, 't> {
                 let offsets = guides.map(|guide| self.offset(guide, v));
                 let fields = self.offsets(offsets);
                 self.write(dyad, Some(v), fields);
-                self.block_is_placed(a, v, guides[0]);
-                self.block_is_placed(b, v, guides[1]);
+                for (slide, body, guide) in [(s, a, guides[0]), (t, b, guides[1])] {
+                    let counted = self.counted_on_rail(slide, body);
+                    self.block_is_placed(body, v, (guide, counted));
+                }
                 self.slide_is_made(s, a, None);
                 self.slide_is_made(t, b, None);
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Slide(t)) => self.yoke(dyad, u, s, t),
             _ => {}
         }
-    }
-
-    /// A block in the slot of a yoke on a rail.
-    fn yoke(&mut self, dyad: &Dyad, pin: usize, slot: usize, rail: usize) {
-        let [block, yoke] = self.bars(dyad);
-        let guides = [slot, rail].map(|slide| self.guide_of(slide));
-        let lines = guides.map(|guide| self.bodies.guides[guide].line.clone());
-        let along = lines.each_ref().map(|line| line.along.clone());
-        let pen = self.pen.at(self.name(yoke).span());
-        let written = &self.bodies.frames[yoke];
-        let slot_of_yoke = &self.bodies.guides[guides[0]];
-        let angle = match slot_of_yoke.along {
-            Some(angle) if slot_of_yoke.on == yoke && written.points == lines[1].points => {
-                angle.clone()
-            }
-            _ => pen.angle(&[pen.dot(&along[1], &along[0]), pen.cross(&along[1], &along[0])]).text,
-        };
-        // The yoke's frame begins on the rail: where it is written if that lies there.
-        let origin = pen.minus(&written.origin, &lines[1].through);
-        let is_on_rail =
-            pen.cross(&along[1], &origin).is_zero() || written.begins == Origin::Guide(guides[0]);
-        let frame = DrawnFrame {
-            begins: if is_on_rail { written.begins } else { Origin::Guide(guides[1]) },
-            points: lines[1].points,
-            origin: if is_on_rail { written.origin.clone() } else { lines[1].through.clone() },
-            axis: along[1].clone(),
-        };
-        let [_, offset] = pen.seen_from(&along[0], &pen.minus(self.place(pin), &frame.origin));
-        let mut fields = vec![("slot", GroupFieldValue::One(self.turns.expr(&angle)))];
-        fields.extend(self.offsets([pen.zero(), offset]));
-        self.write(dyad, None, fields);
-        self.settle(yoke, frame.clone());
-        self.block_is_placed(block, pin, guides[0]);
-        self.slide_is_made(rail, yoke, None);
-        self.slide_is_made(slot, block, Some(self.beginning(&pen, yoke, &frame)));
     }
 
     /// The field `offsets`, none where both are zero.
@@ -310,7 +306,7 @@ impl<'b, 't> Writer<'b, 't> {
     }
 
     /// The body of each leg at its joints.
-    fn bars(&self, dyad: &Dyad) -> [usize; 2] {
+    pub(super) fn bars(&self, dyad: &Dyad) -> [usize; 2] {
         dyad.legs.each_ref().map(|leg| leg.bodies[0])
     }
 
@@ -332,7 +328,12 @@ impl<'b, 't> Writer<'b, 't> {
         ("mode", GroupFieldValue::One(Expr { kind: ExprKind::Name(name), span }))
     }
 
-    fn write(&mut self, dyad: &Dyad, pin: Option<usize>, fields: Vec<(&str, GroupFieldValue)>) {
+    pub(super) fn write(
+        &mut self,
+        dyad: &Dyad,
+        pin: Option<usize>,
+        fields: Vec<(&str, GroupFieldValue)>,
+    ) {
         let names = self.bars(dyad).map(|body| self.name(body).clone());
         self.write_named(dyad, names, pin, fields);
     }
@@ -374,6 +375,12 @@ impl<'b, 't> Writer<'b, 't> {
             self.made[pin] = true;
             self.bodies.pins[pin].name.clone()
         });
+        for (link, joint) in &legs {
+            [Some(joint), pin.as_ref()]
+                .into_iter()
+                .flatten()
+                .for_each(|at| self.turns.join(link, at));
+        }
         let group = group_of(keyword, legs, pin, fields);
         self.put(behind, StatementKind::Group(group));
     }

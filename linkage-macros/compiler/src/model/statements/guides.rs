@@ -85,10 +85,11 @@ impl Rules for GuideStatement {
     }
 
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        if let Some(place) = shifts.through(self) {
-            self.through = GuideAnchor::At(place);
-        }
-        if let Course::Along(angle) = &mut self.course {
+        let (through, towards) = (shifts.through(self), shifts.towards(self));
+        self.through = through.map_or_else(|| self.through.clone(), GuideAnchor::At);
+        if let Some(angle) = towards {
+            self.course = Course::Along(angle);
+        } else if let Course::Along(angle) = &mut self.course {
             let turned = shifts.expr(angle);
             *angle = match &self.on {
                 Some(on) => shifts.added(on, turned),
