@@ -47,8 +47,10 @@ impl Network {
             (0..count).for_each(|_| units.push(Unit { ends, drive }));
         };
         for pin in 0..machine.pins.len() {
+            // A body that is given stands on others by other means.
+            let has = |&body: &usize| counts(body) && !machine.stands_on(body, pin);
             let (resting, moving): (Vec<_>, Vec<_>) =
-                machine.at(pin).filter(|&body| counts(body)).partition(|&body| rests(body));
+                machine.at(pin).filter(has).partition(|&body| rests(body));
             // All bodies at rest count as one body through the pin.
             let through: Vec<_> = resting.into_iter().take(1).chain(moving).collect();
             capacity.push(if through.len() > 1 { PIN } else { 0 });
@@ -226,6 +228,13 @@ fn dependence(machine: &Machine, network: &Network) -> Vec<Vec<usize>> {
         if let Some(given) = &of.given {
             needs[body].extend(&given.bodies);
             needs[body].extend(given.pins.iter().map(|pin| bodies + pin));
+            // The pin of one body alone is no joint that counts.
+            for &pin in &given.pins {
+                let mut moving = machine.at(pin).filter(|&other| !machine.is_given(other));
+                if let (Some(only), None) = (moving.next(), moving.next()) {
+                    needs[body].push(only);
+                }
+            }
             of.made().for_each(|pin| needs[bodies + pin].push(body));
         }
     }

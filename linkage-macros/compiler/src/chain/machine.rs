@@ -105,6 +105,11 @@ impl Machine {
         body == GROUND || self.bodies[body].given.is_some()
     }
 
+    /// True if a body is given by means that depend on the pin.
+    pub(crate) fn stands_on(&self, body: usize, pin: usize) -> bool {
+        self.bodies[body].given.as_ref().is_some_and(|given| given.pins.contains(&pin))
+    }
+
     /// The drive between two bodies that turns them about a pin of both.
     pub(crate) fn held(&self, [a, b]: [usize; 2]) -> Option<Held> {
         let is_between = |drive: &Driving| {

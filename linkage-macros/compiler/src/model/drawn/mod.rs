@@ -25,6 +25,7 @@ mod held;
 mod incidences;
 mod lengths;
 mod messages;
+mod modes;
 mod motions;
 mod on_links;
 mod placed;

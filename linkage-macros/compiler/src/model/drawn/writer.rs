@@ -15,6 +15,7 @@ use crate::model::drawn::frame_shifts::FrameShifts;
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::free_names::FreeNames;
 use crate::model::drawn::group_statement::group_of;
+use crate::model::drawn::modes::with_mode;
 use crate::model::drawn::written::{Sought, Written};
 use crate::model::drawn::{is_point_of, sorted};
 use crate::model::drawn_links::DrawnLinks;
@@ -98,7 +99,8 @@ impl<'b, 't> Writer<'b, 't> {
     pub(super) fn declaration(self) -> Translated {
         let (bars, joints) = (self.bars_between_pins(), self.joints());
         let others: Vec<_> = self.bodies.other_statements().collect();
-        let placed: Vec<_> = others.iter().map(|(_, other)| self.by_coordinates(other)).collect();
+        let restated = |other| self.by_coordinates(other).or_else(|| with_mode(self.bodies, other));
+        let placed: Vec<_> = others.iter().map(|(_, other)| restated(other)).collect();
         let Self {
             bodies,
             turns,
