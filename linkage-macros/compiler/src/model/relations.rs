@@ -1,8 +1,8 @@
 //! Owners, carriers and motion, read from steps and joints.
 
 use super::mechanism::{
-    AngleSum, Body, Carrier, Drive, Group, GuideDirection, GuideId, Joint, LinkId, Mechanism,
-    PartOf, Placement, PointId, Scalar, Slideway, Step,
+    AngleSum, Body, Carrier, Drive, Group, GroupId, GuideDirection, GuideId, Joint, LinkId,
+    Mechanism, PartOf, Placement, PointId, Scalar, Slideway, Step, UnknownId,
 };
 
 impl Mechanism {
@@ -80,6 +80,18 @@ impl Mechanism {
             }
             (_, None) => None,
         })
+    }
+
+    /// True if the group stands in front of the equation of an unknown, which may depend on it.
+    pub(crate) fn is_tried(&self, group: GroupId, unknown: UnknownId) -> bool {
+        let steps = &self.steps[..self.unknowns[unknown.index()].steps[1]];
+        steps.iter().any(|step| matches!(step, Step::Group(made) if made.id == group))
+    }
+
+    /// True if a crank's angle turns the link.
+    pub(crate) fn is_crank(&self, link: LinkId) -> bool {
+        let mut joints = self.joints().filter(|joint| joint.link() == link);
+        joints.any(|joint| matches!(joint.drive, Some(Drive::Angle { .. })))
     }
 
     /// Tells whether a point's coordinates in the frame of its carrier change with an input.

@@ -204,12 +204,20 @@ pub(in crate::model) fn ends_can_be_assembled(scope: &mut Scope<'_>) {
             continue;
         };
         let link = group.links[0];
+        if scope.mechanism.is_searched_for(link) {
+            // Both ends were looked at in the drawing.
+            continue;
+        }
         let ends = &scope.mechanism.unknowns[id.index()].between;
         let [Some(from), Some(to)] = ends.each_ref().map(Scalar::constant) else { continue };
         let [from, to] = [from, to].map(|end| end.to_f64().to_degrees());
         let found =
             scope.mechanism.rotatabilities.iter().find_map(|found| match &found.turn.range {
-                Range::Within(stretches) if found.crank == link && links.is_empty() => {
+                Range::Within(stretches)
+                    if found.crank == link
+                        && links.is_empty()
+                        && scope.mechanism.is_tried(found.group, *id) =>
+                {
                     let outside = outside(stretches, [from, to])?;
                     Some((found, outside, stretches))
                 }

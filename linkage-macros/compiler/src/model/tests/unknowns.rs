@@ -147,6 +147,15 @@ fn both_ends_of_a_crank_can_be_assembled() {
     }
 }
 
+/// A dyad behind the equation is not there while the unknown is tried: its limits are none of the search.
+#[test]
+fn what_stands_behind_the_equation_limits_no_end() {
+    let machine = "input y: length; ground A(0, 0), D(4m, 0); unknown theta: angle between (-62deg, 62deg); \
+                   crank AB(A) -> B { length: 2m, angle: theta } solve theta { B.y = y, mode: rising } \
+                   rrr BC(B), DC(D) -> C { lengths: (1.5m, 2m), mode: left }";
+    check(&[("", machine, "")]);
+}
+
 const UNUSED: &str = "nothing uses the input `x`; use it or remove it / a driver takes it: `slider \
                       ram(rail) { slide: x }`";
 
