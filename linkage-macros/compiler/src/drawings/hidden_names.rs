@@ -76,3 +76,39 @@ fn a_traced_unknown_is_a_number_in_every_pose() {
         assert!(angle.is_finite(), "at {flexion}");
     }
 }
+
+/// Friction is refused at joints whose reactions a search or a held pair does not tell, in names of the drawing.
+#[test]
+fn friction_is_refused_by_names_of_the_drawing() {
+    const HELD: &str = "input u, v: angle; ground A(0, 0), D(4m, 0); pin B(0.5m, 1m), C(2m, 2.2m), E(3.5m, 1.5m);
+        link AB(A, B), BC(B, C), CE(C, E), DE(D, E); drive CE.angle - BC.angle = u; drive AB.angle = v;";
+    let machines: [(&str, &[&str], &[&str]); 3] = [
+        (SHEAR, &["A", "B", "C", "D", "blade"], &["AB", "BC", "DC", "ride"]),
+        (KNEE, &["A", "B", "C", "D"], &["front", "rear", "shank"]),
+        (HELD, &["A", "B", "C", "D", "E"], &["AB", "BC", "CE", "DE"]),
+    ];
+    for (statements, pins, links) in machines {
+        let at_pins = pins.iter().map(|pin| format!("at {pin} radius 8mm"));
+        let at_links = links
+            .iter()
+            .flat_map(|link| pins.iter().map(move |pin| format!("on {link} at {pin} radius 8mm")));
+        for site in at_pins.chain(at_links) {
+            let machine = of(&format!(
+                "{statements} mass 1kg on {} at (0, 0); friction 0.1 {site};",
+                links[0]
+            ));
+            let Err(told) = machine else { continue };
+            for name in ["phi", "_end", "_bar", "_traced", "CE_DE", "BC_CE", "_on_"] {
+                assert!(told.iter().all(|told| !told.contains(name)), "{site}: {told:?}");
+            }
+            assert!(!told[0].contains("an unknown"), "{told:?}");
+        }
+    }
+    let told = of(&format!("{KNEE} mass 1kg on front at (0, 0); friction 0.1 at C radius 8mm;"));
+    assert_eq!(
+        told.err().expect("the knee is searched for"),
+        ["beside `rear, shank, front`, which are one group of class III, no joint has friction\n\
+          what closes the group follows from reactions, friction among them, and friction from it; drive another joint, \
+          so that each pair of links stands on what is known"]
+    );
+}

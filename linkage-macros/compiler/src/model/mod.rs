@@ -85,6 +85,7 @@ mod step;
 mod stub;
 mod titles;
 pub(crate) mod units;
+mod unknown_friction;
 mod unused;
 mod uses;
 

@@ -16,7 +16,7 @@ use crate::model::mechanism::{
 use crate::model::names::{Kind, listed};
 use crate::model::scope::Scope;
 use crate::model::statements::{Rules, acts, mass};
-use crate::model::{drawn_sliding, loads_in_forces, uses};
+use crate::model::{drawn_sliding, loads_in_forces, unknown_friction, uses};
 
 /// The most joints that rub where a load drives an input.
 const MOST: usize = 8;
@@ -77,13 +77,11 @@ pub(in crate::model) fn frictions(scope: &mut Scope<'_>, tree: &Declaration) {
         let StatementKind::Action(Action::Friction(written)) = &statement.kind else {
             continue;
         };
-        let Some(friction) = friction(scope, written) else { continue };
         if !scope.mechanism.unknowns.is_empty() {
-            let message = "beside an unknown no joint has friction";
-            let reason = "what holds the equation of `solve` follows from reactions, friction among them, and friction from it";
-            scope.diagnostics.error_because(written.at, message, reason);
+            unknown_friction::beside_an_unknown(scope, written.at);
             continue;
         }
+        let Some(friction) = friction(scope, written) else { continue };
         if too_many_rub(scope, written.at) {
             return;
         }
@@ -273,8 +271,9 @@ fn only_pair(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
         }
         _ => {}
     }
-    let links: Vec<_> = joined.iter().chain(&standing).collect();
-    let names: Vec<_> = links.iter().map(|link| named_link(scope, **link)).collect();
+    let links: Vec<_> = joined.iter().chain(&standing).copied().collect();
+    unknown_friction::known_by_their_links(scope, name, &links)?;
+    let names: Vec<_> = links.iter().map(|link| named_link(scope, *link)).collect();
     let (message, reason) = match (&names[..], joined.len()) {
         ([], _) => (
             format!("no link turns at `{name}`"),
@@ -298,6 +297,7 @@ fn only_pair(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
 fn link_on_pin(scope: &mut Scope<'_>, name: &Ident, pin_name: &Ident) -> Option<Contact> {
     let (link, pin) = (uses::link(scope, name)?, uses::point(scope, pin_name)?);
     let (standing, joined) = at_pin(scope, pin);
+    unknown_friction::known_by_their_links(scope, pin_name, &[&standing[..], &joined].concat())?;
     if let Some(place) = joined.iter().position(|own| *own == link) {
         return Some(Contact::Pin { link, pin, against: Carrier::Link(joined[1 - place]) });
     }
