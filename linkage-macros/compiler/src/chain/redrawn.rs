@@ -8,8 +8,10 @@
 use super::machine::{Driven, Driving, Machine, Slide};
 use super::plane::Complex;
 
-/// The count of steps in which lengths change.
-const STEPS: usize = 16;
+/// The longest and the shortest step in which lengths change, as shares of the change: powers of a half, whose sums have no
+/// error.
+const LONGEST: f64 = 1.0 / 16.0;
+const SHORTEST: f64 = 1.0 / 1024.0;
 /// The most iterations a step: Newton's method doubles the digits from the second on.
 const ITERATIONS: usize = 12;
 /// The part of the machine's size to which joints close.
@@ -58,10 +60,20 @@ pub(crate) fn redrawn(machine: &Machine, bars: &[Resized]) -> Option<Redrawn> {
         displacements: vec![Displacement::NONE; machine.bodies.len()],
     };
     let side = relaxation.step()?.1;
-    for step in 1..=STEPS {
-        relaxation.share = step as f64 / STEPS as f64;
-        if relaxation.closed()? != side {
-            return None;
+    let (mut done, mut step) = (0.0, LONGEST);
+    while done < 1.0 {
+        let before = relaxation.displacements.clone();
+        relaxation.share = f64::min(done + step, 1.0);
+        // Newton's method may go past a limit where the pose itself comes to none.
+        if relaxation.closed() == Some(side) {
+            done = relaxation.share;
+            step = f64::min(2.0 * step, LONGEST);
+        } else {
+            relaxation.displacements = before;
+            step /= 2.0;
+            if step < SHORTEST {
+                return None;
+            }
         }
     }
     Some(relaxation.redrawn())
