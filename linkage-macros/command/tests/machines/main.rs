@@ -8,6 +8,7 @@ mod attacked;
 mod changes;
 mod declarations;
 mod mistakes;
+mod newer;
 mod program;
 
 use declarations::{pmks::*, pylinkage::*, pyslvs::*};

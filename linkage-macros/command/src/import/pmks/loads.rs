@@ -4,9 +4,6 @@ use super::Mistake;
 use super::records::{Arrow, MASS_AND_INERTIA, Member, Records, block};
 use crate::import::drawing::{Drawing, Force, Mass};
 
-/// Newtons of a pound's weight.
-const POUND: f64 = 4.448_221_615_260_5;
-
 pub(super) fn draw_masses(drawing: &mut Drawing, records: &Records<'_>) {
     let [mass, inertia] = MASS_AND_INERTIA;
     let is_untouched = |member: &Member<'_>| {
@@ -47,11 +44,20 @@ pub(super) fn draw_masses(drawing: &mut Drawing, records: &Records<'_>) {
     }
 }
 
-pub(super) fn force(
-    arrow: &Arrow<'_>,
-    unit: &str,
-    members: &[Member<'_>],
-) -> Result<Force, Mistake> {
+pub(super) fn draw_forces(drawing: &mut Drawing, records: &Records<'_>) -> Result<(), Mistake> {
+    for arrow in &records.forces {
+        match records.newtons {
+            Some(newtons) => drawing.forces.push(force(arrow, newtons, &records.members)?),
+            None => {
+                let why = format!("the force `{}`, whose unit is not known here", arrow.id);
+                drawing.left_out.push(why);
+            }
+        }
+    }
+    Ok(())
+}
+
+fn force(arrow: &Arrow<'_>, newtons: f64, members: &[Member<'_>]) -> Result<Force, Mistake> {
     let Arrow { id, link, ends: [at, end], .. } = *arrow;
     let is_of = |member: &&Member<'_>| member.id == link || member.parts.contains(&link);
     let Some(member) = members.iter().find(is_of) else {
@@ -64,7 +70,6 @@ pub(super) fn force(
     }
     // The arrow points at the place that it acts on where it does not go outward.
     let sign = if arrow.is_outward { 1.0 } else { -1.0 };
-    let newtons = if unit == "in" { POUND } else { 1.0 };
     let factor = sign * newtons * arrow.magnitude / length;
     Ok(Force {
         id: id.to_string(),

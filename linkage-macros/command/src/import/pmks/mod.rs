@@ -14,6 +14,7 @@
 //! Both forms of an address, [`today`]'s and the [`older`] one, are read into the same [`records`].
 
 mod address;
+mod extensions;
 mod loads;
 mod older;
 mod records;
@@ -34,10 +35,7 @@ pub(crate) fn read(address: &str) -> Result<Drawing, Mistake> {
     leave_out(&mut drawing, &records);
     draw(&mut drawing, &records)?;
     loads::draw_masses(&mut drawing, &records);
-    for arrow in &records.forces {
-        let force = loads::force(arrow, &drawing.unit, &records.members)?;
-        drawing.forces.push(force);
-    }
+    loads::draw_forces(&mut drawing, &records)?;
     welds::weld(&mut drawing, &records);
     for joint in records.joints.iter().filter(|joint| joint.is_input && !joint.is_prismatic) {
         let drive = turned(&drawing, joint)?;
@@ -57,6 +55,9 @@ fn leave_out(drawing: &mut Drawing, records: &Records<'_>) {
     if records.has_gravity {
         drawing.left_out.push("gravity".to_string());
     }
+    let rubbing = records.joints.iter().filter(|joint| joint.rubs);
+    drawing.left_out.extend(rubbing.map(|joint| format!("the friction at `{}`", joint.id)));
+    drawing.left_out.extend(records.left_out.iter().cloned());
     let joints = records.joints.iter().map(|joint| (joint.id, joint.title));
     let links = records.members.iter().map(|member| (member.id, member.title));
     for (id, title) in joints.chain(links).filter(|(id, title)| !title.is_empty() && id != title) {

@@ -10,7 +10,7 @@
 //! A mark is `t` or `f`; lists within a field are divided by `|`.
 
 use super::Mistake;
-use super::records::{Arrow, Joint, MASS_AND_INERTIA, Member, Records};
+use super::records::{Arrow, Joint, MASS_AND_INERTIA, Member, POUND, Records};
 
 /// The parameter of this letter; empty where there is none.
 fn parameter<'a>(query: &'a str, letter: &str) -> &'a str {
@@ -37,11 +37,14 @@ pub(super) fn records(query: &str) -> Result<Records<'_>, Mistake> {
     Ok(Records {
         unit: unit.ok_or("the address has no unit of length that is known")?,
         speed: number(speed)?,
+        newtons: Some(if unit == Some("in") { POUND } else { 1.0 }),
         has_gravity: mark(gravity)?,
+        welds_blocks: false,
         joints: lines("j").map(joint).collect::<Result<_, _>>()?,
         members: lines("l").map(member).collect::<Result<_, _>>()?,
         parts: Vec::new(),
         forces: lines("f").map(force).collect::<Result<_, _>>()?,
+        left_out: Vec::new(),
     })
 }
 
@@ -91,6 +94,7 @@ fn joint(line: &str) -> Result<Joint<'_>, Mistake> {
         slot: None,
         speed: None,
         mass: 0.0,
+        rubs: false,
     })
 }
 

@@ -3,17 +3,26 @@
 /// The mass and the inertia that a link has unless a user changes them; a piston has no inertia.
 pub(super) const MASS_AND_INERTIA: [f64; 2] = [1.0, 1.0];
 
+/// Newtons of a pound's weight.
+pub(super) const POUND: f64 = 4.448_221_615_260_5;
+
 /// An address, read and not yet drawn.
 pub(super) struct Records<'a> {
     pub unit: &'static str,
     /// The speed of the inputs, in turns a minute.
     pub speed: f64,
+    /// Newtons of the unit of forces, where it is known.
+    pub newtons: Option<f64>,
     pub has_gravity: bool,
+    /// True if a weld of parts of a link is one of the block at their joint.
+    pub welds_blocks: bool,
     pub joints: Vec<Joint<'a>>,
     pub members: Vec<Member<'a>>,
     /// The links that are welded together to others.
     pub parts: Vec<Member<'a>>,
     pub forces: Vec<Arrow<'a>>,
+    /// The parts of the address that mean nothing here.
+    pub left_out: Vec<String>,
 }
 
 impl Records<'_> {
@@ -46,6 +55,8 @@ pub(super) struct Joint<'a> {
     pub speed: Option<f64>,
     /// The mass of the block where it has no record of its own.
     pub mass: f64,
+    /// True if there is friction.
+    pub rubs: bool,
 }
 
 pub(super) struct Member<'a> {

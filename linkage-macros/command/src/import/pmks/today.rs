@@ -1,10 +1,11 @@
-//! The records of addresses since the spring of 2023. Sections end with a point: four of settings, then joints, links and forces, each
-//! list behind an empty section, and a character that counts the length. Numbers are thousandths to the base of 64, with a
-//! zero in front where they are negative.
+//! The records of addresses since the spring of 2023. Sections end with a point: four of settings, then joints, links and
+//! forces, each list behind an empty section, what is selected, [`extensions`], and a character that counts the length.
+//! Numbers are thousandths to the base of 64, with a zero in front where they are negative.
 
 use super::Mistake;
 use super::address::counted;
-use super::records::{Arrow, Joint, Member, Records};
+use super::extensions;
+use super::records::{Arrow, Joint, Member, POUND, Records};
 
 pub(super) const DIGITS: &str = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
 /// The count of settings in front of the joints.
@@ -14,7 +15,7 @@ pub(super) fn records(query: &str) -> Result<Records<'_>, Mistake> {
     let sections = counted(query)?;
     let mut sections = sections.split('.');
     let settings: Vec<_> = sections.by_ref().take(SETTINGS).collect();
-    let &[_, _, integers, words] = &settings[..] else {
+    let &[_, numbers, integers, words] = &settings[..] else {
         return Err("the address ends within its settings".into());
     };
     let joints = list(&mut sections, joint)?;
@@ -25,7 +26,23 @@ pub(super) fn records(query: &str) -> Result<Records<'_>, Mistake> {
         if is_root { members.push(member) } else { parts.push(member) }
     }
     let speed = integer(integers.split(',').next().unwrap_or_default())?;
-    Ok(Records { unit: unit(words)?, speed, has_gravity: false, joints, members, parts, forces })
+    let mut records = Records {
+        unit: unit(words)?,
+        speed,
+        newtons: newtons(words),
+        has_gravity: false,
+        // Versions that know a welded block write a second number, the speed of slides.
+        welds_blocks: numbers.contains(','),
+        joints,
+        members,
+        parts,
+        forces,
+        left_out: Vec::new(),
+    };
+    // Behind what is selected.
+    let more: Vec<_> = sections.skip(1).collect();
+    extensions::read(&mut records, &more.join("."))?;
+    Ok(records)
 }
 
 /// The records up to the next empty section.
@@ -43,6 +60,15 @@ fn unit(words: &str) -> Result<&'static str, Mistake> {
         Some('1') => Ok("cm"),
         Some('2') => Ok("m"),
         _ => Err(format!("the address has no unit of length that is known: `{words}`")),
+    }
+}
+
+/// Newtons of the unit of forces: the third word of the settings. Inches have pounds.
+fn newtons(words: &str) -> Option<f64> {
+    match (words.chars().next(), words.chars().nth(2)) {
+        (Some('0'), _) => Some(POUND),
+        (_, Some('1') | None) => Some(1.0),
+        _ => None,
     }
 }
 
@@ -99,6 +125,8 @@ fn joint(section: &str) -> Result<Joint<'_>, Mistake> {
         slot,
         speed: behind(3).transpose()?,
         mass: behind(4).transpose()?.unwrap_or(0.0),
+        // A mark stands between: several links are one at a slider.
+        rubs: slots.get(6).is_some_and(|coefficient| !matches!(*coefficient, "" | "0")),
     })
 }
 

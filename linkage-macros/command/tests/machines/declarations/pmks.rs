@@ -6,6 +6,7 @@ use linkage_core::mechanism;
 mechanism! {
     pub struct PmksBlocksOfJoints {
         // Left out: the speed of the input at `A`, 4 rpm.
+        // Left out: locks.
         // Left out: colours.
         // `block_C` is welded to `CD` at `C`: both are `CD`.
         input theta: angle;
@@ -283,6 +284,7 @@ mechanism! {
         // Left out: the speed of the input at `O`, 20 rpm.
         // Left out: colours.
         // Left out: masses of links, which are as PMKS+ sets them.
+        // `block` stays pinned to `ABT` at `B`, where parts of `ABT` are welded.
         input theta: angle;
         ground O(0, 0);
         pin A(6cm, 5cm), B(26cm, 1cm), T(30cm, 8cm);
