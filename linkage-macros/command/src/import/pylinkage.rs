@@ -31,6 +31,7 @@ struct Mechanism {
 #[derive(Deserialize)]
 struct Joint {
     id: Option<String>,
+    name: Option<String>,
     #[serde(rename = "type", default = "revolute")]
     kind: String,
     position: Option<[Option<f64>; 2]>,
@@ -43,10 +44,13 @@ struct Joint {
 #[derive(Deserialize)]
 struct Member {
     id: String,
+    name: Option<String>,
     #[serde(rename = "type", default = "link")]
     kind: String,
     #[serde(default)]
     joints: Vec<String>,
+    /// The ground joint about which a driver turns.
+    motor_joint: Option<String>,
     /// The speed and the arc of a driver.
     #[serde(flatten)]
     more: BTreeMap<String, Value>,
@@ -68,9 +72,18 @@ pub(crate) fn read(text: &str) -> Result<Drawing, Mistake> {
     };
     let mut drawing = Drawing::new(&mechanism.name, "mm");
     let grounds = links.iter().filter(|link| link.kind == "ground");
-    let on_ground: Vec<_> = grounds.flat_map(|link| &link.joints).collect();
+    let motors = links.iter().filter_map(|link| link.motor_joint.as_ref());
+    let on_ground: Vec<_> = grounds.flat_map(|link| &link.joints).chain(motors).collect();
     for joint in &mechanism.joints {
         draw_joint(&mut drawing, joint, &on_ground)?;
+    }
+    let names = mechanism.joints.iter().map(|joint| (joint.id.as_ref(), &joint.name));
+    for (id, name) in names.chain(links.iter().map(|link| (Some(&link.id), &link.name))) {
+        if let (Some(id), Some(name)) = (id, name)
+            && id != name
+        {
+            drawing.left_out.push(format!("the name of `{id}`, {name}"));
+        }
     }
     for link in links.iter().filter(|link| link.kind != "ground") {
         draw_link(&mut drawing, link)?;
@@ -127,14 +140,33 @@ fn draw_link(drawing: &mut Drawing, link: &Member) -> Result<(), Mistake> {
             return Err(format!("the driver `{}` has no joint on the ground", link.id));
         }
         drawing.drives.push(Drive::Angle { link: link.id.clone(), against: None });
-        let motion = link.more.iter().filter(|(name, value)| {
-            value.is_number() && (*name == "angular_velocity" || name.starts_with("arc"))
+        let drawn = drawn_angle(drawing, link);
+        // Where the drawing is at the initial angle, nothing is lost.
+        let begins_elsewhere = |value: &Value| {
+            let turn = value.as_f64().zip(drawn).map(|(angle, drawn)| (angle - drawn).sin_cos());
+            turn.is_none_or(|(sin, cos)| sin.abs() > EXACT || cos < 0.0)
+        };
+        let motion = link.more.iter().filter(|(name, value)| match &name[..] {
+            "angular_velocity" => value.is_number(),
+            "initial_angle" => value.is_number() && begins_elsewhere(value),
+            name => value.is_number() && name.starts_with("arc"),
         });
         let motion = motion.map(|(name, value)| format!("`{name}` of `{}`, {value}", link.id));
         drawing.left_out.extend(motion);
     }
     drawing.links.push(Link { id: link.id.clone(), pins: link.joints.clone(), on: Vec::new() });
     Ok(())
+}
+
+/// The rounding of an angle that was computed in double precision.
+const EXACT: f64 = 1e-9;
+
+/// The angle at which a driver is drawn, from the joint about which it turns.
+fn drawn_angle(drawing: &Drawing, link: &Member) -> Option<f64> {
+    let motor = link.motor_joint.as_ref().or(link.joints.first())?;
+    let other = link.joints.iter().find(|joint| *joint != motor)?;
+    let [[u, v], [x, y]] = [drawing.pin(motor)?.at, drawing.pin(other)?.at];
+    Some((y - v).atan2(x - u))
 }
 
 /// Lets a tracker be a pin of its link.

@@ -222,3 +222,27 @@ fn titles_are_told() {
     let printed = given(&text.replace('ü', "%C3%BC"), &[]).expect("it is a machine");
     assert!(printed.contains("// Left out: the title of `AB`, Bügel 1.\n"), "{printed}");
 }
+
+/// Names beside identifiers, and joints on the ground because a driver turns about them.
+#[test]
+fn names_and_motors_of_pylinkage_are_read() {
+    let text = r#"{"name": "m", "joints": [
+        {"id": "a", "name": "shaft", "type": "revolute", "position": [0, 0]},
+        {"id": "b", "type": "revolute", "position": [10, 0]}], "links": [
+        {"id": "ab", "name": "the crank", "type": "driver", "joints": ["b", "a"], "motor_joint": "a",
+         "initial_angle": 6.283185307179586, "arc_end": 2.5}]}"#;
+    let other = text.replace("6.283185307179586", "0.5");
+    let other = given(&other, &[]).expect("it is a machine");
+    assert!(other.contains("// Left out: `initial_angle` of `ab`, 0.5.\n"), "{other}");
+    let printed = given(text, &[]).expect("it is a machine");
+    for line in [
+        "// Left out: the name of `a`, shaft.",
+        "// Left out: the name of `ab`, the crank.",
+        "ground a(0, 0);",
+        "// Left out: `arc_end` of `ab`, 2.5.",
+        "drive ab.angle = theta;",
+    ] {
+        assert!(printed.lines().any(|own| own.trim() == line), "{line}: {printed}");
+    }
+    assert!(!printed.contains("initial_angle"), "{printed}");
+}

@@ -1,4 +1,4 @@
-//! What versions of PMKS+ since 2024 write beside joints, links and forces.
+//! Addresses of PMKS+ since 2024, with more than joints, links and forces.
 
 use crate::program::given;
 

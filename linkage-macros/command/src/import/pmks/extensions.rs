@@ -1,10 +1,10 @@
-//! What newer versions of PMKS+ write behind the records: entries that a comma ends, of which the first letter says what each
-//! is. Numbers that thousandths do not hold are taken; what is for the screen, and gears, are not.
+//! Entries that newer versions of PMKS+ write behind the records. A comma ends each, and its first letter says what it is.
+//! Numbers that thousandths do not hold are taken; gears, and what is for the screen, are not.
 
 use super::Mistake;
 use super::records::Records;
 
-/// What an entry is, by its first letter.
+/// The entries that mean nothing here, by their first letters.
 const LEFT_OUT: [(char, &str); 8] = [
     ('J', "locks"),
     ('L', "locks"),

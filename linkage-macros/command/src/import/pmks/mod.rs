@@ -9,6 +9,7 @@
 //! | a welded joint | one link of those that meet there |
 //! | the input at a joint | the first link there against the ground or against the second; the slide of a piston |
 //! | the mass of a link | its mass, at its centre; grams and kg·cm² in a drawing in centimetres. None where all are as PMKS+ sets them |
+//! | numbers behind the records that thousandths do not hold | in their place |
 //! | a force | a force on a point of its link, which turns with the link where it is local |
 //!
 //! Both forms of an address, [`today`]'s and the [`older`] one, are read into the same [`records`].

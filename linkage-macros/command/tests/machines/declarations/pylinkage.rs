@@ -6,6 +6,7 @@ use linkage_core::mechanism;
 mechanism! {
     pub struct PylinkageCouplerCurve {
         // Left out: `angular_velocity` of `AB`, 0.1.
+        // Left out: `initial_angle` of `AB`, 0.0.
         input theta: angle;
         ground A(0, 0), D(400mm, 0);
         pin B(50mm, 90mm), C(320mm, 260mm), P(160mm, 290mm);
@@ -20,6 +21,7 @@ mechanism! {
 mechanism! {
     pub struct PylinkageFourBar {
         // Left out: `angular_velocity` of `AB`, 0.1.
+        // Left out: `initial_angle` of `AB`, 0.0.
         input theta: angle;
         ground A(0, 0), D(400mm, 0);
         pin B(50mm, 90mm), C(320mm, 260mm);
@@ -34,10 +36,11 @@ mechanism! {
 mechanism! {
     pub struct PylinkageSliderCrank {
         // Left out: `angular_velocity` of `AB`, 0.1.
+        // Left out: `initial_angle` of `AB`, 0.0.
         input theta: angle;
         ground A(0, 0);
         pin B(6mm, 5mm), C(26mm, 1mm);
-        guide guide_C through (26mm, 1mm) along 0deg;
+        guide guide_C through (0, 0) along 0deg;
         link block_C(C) on guide_C;
         link AB(A, B);
         link BC(B, C);
@@ -49,6 +52,7 @@ mechanism! {
 mechanism! {
     pub struct PylinkageTriangle {
         // Left out: `angular_velocity` of `AB`, 0.1.
+        // Left out: `initial_angle` of `AB`, 0.0.
         // `BC`, `BP` and `CP` are a triangle: all are `BC`.
         // `BC`, `CQ` and `PQ` are a triangle: all are `BC`.
         input theta: angle;
@@ -65,6 +69,7 @@ mechanism! {
 mechanism! {
     pub struct PylinkageWatt1 {
         // Left out: `angular_velocity` of `AB`, 0.1.
+        // Left out: `initial_angle` of `AB`, 0.0.
         input theta: angle;
         ground A(0, 0), D(300mm, 0);
         pin B(40mm, 100mm), C(260mm, 200mm), E(180mm, 290mm), F(390mm, 300mm), G(370mm, 160mm);

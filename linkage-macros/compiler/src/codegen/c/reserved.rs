@@ -24,7 +24,17 @@ fn words(text: &'static str) -> HashSet<&'static str> {
 /// True if nothing can have the name: a keyword, a macro, or a type that stands among a record's fields, whose
 /// meaning a field of its name would change in C++.
 pub(super) fn is_word(name: &str) -> bool {
-    WORDS.contains(name)
+    WORDS.contains(name) || is_a_limit_of_a_numbered_type(name)
+}
+
+/// True for macros of <float.h> about types of C23: `DEC64_MAX`, `FLT32X_EPSILON`.
+fn is_a_limit_of_a_numbered_type(name: &str) -> bool {
+    let of_a_type = name.strip_prefix("FLT").or(name.strip_prefix("DEC"));
+    let bits = of_a_type.and_then(|rest| rest.split_once('_')).map(|(bits, _)| bits);
+    let is_numbered =
+        bits.is_some_and(|bits| ["16", "32", "64", "128", "32X", "64X", "128X"].contains(&bits));
+    // None of them has a tail.
+    is_numbered && !name.ends_with('_')
 }
 
 /// True if no type can have the name.

@@ -13,11 +13,18 @@ use crate::codegen::c::run_time;
 use crate::pipeline;
 
 /// Dialects, with what each is told beside.
-const DIALECTS: [(&str, &[&str]); 3] = [
+const DIALECTS: [(&str, &[&str]); 5] = [
     ("cc", &["-std=c99", "-pedantic", "-Wshadow", "-Wconversion"]),
     ("cc", &["-std=gnu17"]),
     ("g++", &["-x", "c++", "-std=gnu++17"]),
+    ("cc", &["-std=gnu2x", NUMBERED, DECIMAL]),
+    ("g++", &["-x", "c++", "-std=gnu++20", NUMBERED]),
 ];
+/// Types of numbers that C23 lets headers have.
+const NUMBERED: &str = "-D__STDC_WANT_IEC_60559_TYPES_EXT__";
+const DECIMAL: &str = "-D__STDC_WANT_DEC_FP__";
+/// The dialects of a sample.
+const FIRST: usize = 3;
 
 /// Macros, keywords, types and functions: of C and C++, of the headers, of compilers and of what is printed.
 const NAMES: &[&str] = &[
@@ -29,6 +36,8 @@ const NAMES: &[&str] = &[
     "signbit",
     "M_PI",
     "FP_NAN",
+    "DEC128_MIN",
+    "FLT32X_MAX",
     "DBL_MAX",
     "INT8_MAX",
     "SIZE_MAX",
@@ -181,7 +190,8 @@ fn names_are_c(every: usize) {
             sources.extend(print_model(&cranks(names), nth + count, &folder));
         }
     }
-    for (compiler, own) in DIALECTS {
+    let dialects = if every == 1 { &DIALECTS[..] } else { &DIALECTS[..FIRST] };
+    for &(compiler, own) in dialects {
         // The functions of FMI are C alone.
         let sources = sources.iter().filter(|file| compiler == "cc" || !file.ends_with("/fmi3.c"));
         let sources: Vec<String> = sources.cloned().collect();
