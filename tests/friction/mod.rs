@@ -12,4 +12,5 @@ mod laws;
 mod matrix;
 mod others;
 mod sizes;
+mod still;
 mod table;

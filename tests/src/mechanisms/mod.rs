@@ -32,6 +32,7 @@ pub mod singular_arms;
 pub mod slides;
 pub mod stacked_sliders;
 pub mod statuses;
+pub mod still;
 pub mod stops;
 pub mod telescope;
 pub mod told;

@@ -45,5 +45,6 @@ for (const line of require("fs").readFileSync(process.argv[2], "utf8").trim().sp
   }
 }
 console.log(JSON.stringify(tally));
-const isSame = FUSED ? tally.worst <= 4 : tally.equal === tally.numbers;
+// Of what the browser's own functions compute two units in the last place of the answer's largest number are granted.
+const isSame = FUSED ? tally.worst <= 4 : FOREIGN ? tally.worst <= 2 : tally.equal === tally.numbers;
 process.exitCode = tally.wrong || !isSame ? 1 : 0;

@@ -2,8 +2,36 @@
 
 use std::process::Command;
 
+use linkage_core::sketch::Paged;
+use proc_macro2::{TokenStream, TokenTree};
+
 use super::hard;
 use super::numbers::{has_node, script};
+
+/// The page of a solver is what the compiler's texts make without Rust.
+pub(super) fn is_printed_by_the_compiler_alone<S: Paged>(solver: &S) {
+    let (declared, values) = (S::PAGE, solver.params());
+    let call: TokenStream = declared.text.parse().expect("these are tokens");
+    let Some(TokenTree::Group(group)) = call.into_iter().last() else {
+        panic!("a call ends with its brackets")
+    };
+    let parts = linkage_compiler::page(group.stream()).expect("there is no mistake");
+    let printed =
+        [&parts.plan, &parts.script, &parts.inputs, &parts.params, &parts.loads, &parts.outputs];
+    let expanded = [
+        declared.plan,
+        declared.script,
+        declared.inputs,
+        declared.params,
+        declared.loads,
+        declared.outputs,
+    ];
+    assert_eq!(printed, expanded, "{}", S::PLAN.name);
+    assert_eq!(
+        (&parts.name[..], &parts.docs[..], parts.values.len()),
+        (S::PLAN.name, S::PLAN.docs, values.len())
+    );
+}
 
 /// Only a page of a machine with friction solves for it, and one with an equation searches.
 #[test]

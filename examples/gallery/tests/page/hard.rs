@@ -184,3 +184,104 @@ mechanism! {
         output leaf, nose_of_the_bascule_leaf, stroke.drive;
     }
 }
+
+mechanism! {
+    /// A press with stops at a slide, an angle and a distance, springs, and friction at all joints.
+    pub struct Stopped {
+        input theta: angle;
+        param mu = 0.1;
+        param upper = 0.8m;
+        param stiffness = 2e5(N/m);
+        load push: force;
+        ground A(0, 0), D(0.35m, -0.05m);
+        guide bed through (0, 0) along 0deg;
+        crank AB(A) -> B           { length: 0.1m, angle: theta }
+        rrr   BC(B), DC(D) -> C    { lengths: (0.32m, 0.2m), mode: left }
+        rrp   CE(C), ram(bed) -> E { length: 0.5m, mode: ahead }
+        gravity (0, -9.81);
+        mass 2kg on BC uniform;
+        mass 5kg on ram at (0, 0.01m) inertia 0.02(kg*m^2);
+        spring between D and E { stiffness: 900(N/m), free_length: 0.3m, damping: 20(N*s/m) }
+        spring coil between AB and BC { stiffness: 3(N*m/rad), free_angle: 40deg }
+        stop end ram.slide between (0.72m, upper) { stiffness: stiffness, damping: 300(N*s/m) }
+        stop swing DC.angle between (20deg, 80deg) { stiffness: 400(N*m/rad) }
+        stop apart distance(A, C) between (0.2m, 0.4m) { stiffness: 1e4(N/m) }
+        force (-push, 0) on E;
+        friction mu at A radius 40mm;
+        friction mu at B radius 40mm;
+        friction mu on BC at C radius 40mm;
+        friction mu at D radius 30mm smooth 0.05(rad/s);
+        friction mu on CE at E radius 30mm;
+        friction mu on ram length 60mm;
+        output theta.drive, C, ram, ram.bed, BC.C, CE.E.friction, losses, end.force, swing.gap, coil.torque;
+    }
+}
+
+mechanism! {
+    /// Functions of the browser's own, of an angle and of a speed, and a torque that is made of them.
+    pub struct Library {
+        input theta: angle;
+        param mu = 0.1;
+        ground A(0, 0), D(0.7m, 0);
+        crank AB(A) -> B { length: 0.2m, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (0.7m, 0.4m), mode: left }
+        let fading = exp(-theta / 4rad);
+        let raised = pow(1.5 + C.x / 1m, 1.3);
+        let level = ln(2 + C.y / 1m);
+        let braked = tanh(rate(theta) / 3(rad/s));
+        mass 2kg on BC at (0.35m, 0);
+        torque -2(N*m) * braked on AB;
+        friction mu at C radius 20mm;
+        output fading, raised, level, C, theta.drive, braked, losses;
+    }
+}
+
+mechanism! {
+    /// The place of a press that is stopped and sprung: the crank's angle for the ram's slide.
+    pub struct Sought {
+        input x: length;
+        param rod = 0.25m;
+        param lower = 0.2m;
+        load push: force;
+        ground A(0, 0), D(0.3m, 0.2m);
+        guide bed through (0, 0) along 0deg;
+        unknown theta: angle between (5deg, 175deg);
+        crank AB(A) -> B           { length: 80mm, angle: theta }
+        rrp   BC(B), ram(bed) -> C { length: rod, mode: ahead }
+        solve theta { x = ram.slide, mode: falling }
+        rrr   BE(B), DE(D) -> E    { lengths: (0.3m, 0.25m), mode: left }
+        gravity (0, -9.81);
+        mass 2kg on BC uniform;
+        mass 3kg on E;
+        spring between D and C { stiffness: 500(N/m), free_length: 0.1m, damping: 30(N*s/m) }
+        stop low ram.slide between (lower, 0.3m) { stiffness: 1e5(N/m), damping: 100(N*s/m) }
+        stop lever DE.angle between (-170deg, -60deg) { stiffness: 200(N*m/rad), damping: 2(N*m*s/rad) }
+        force (-push, 0) on C;
+        output theta, E, x.drive, low.force, lever.gap;
+    }
+}
+
+mechanism! {
+    /// A parallelogram whose coupler does not turn, a truss that moves with it, and an antiparallelogram behind the
+    /// change point.
+    pub struct Parallel {
+        input theta: angle;
+        param mu = 0.2;
+        load push: force;
+        ground A(0, 0), D(0.4m, 0);
+        guide rail through (0, -0.3m) along 0deg;
+        crank AB(A) -> B { length: 0.15m, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (0.4m, 0.15m), mode: left }
+        point P on BC at (0.2m, -0.05m);
+        rpp block(P), yoke(rail) { slot: 90deg, offsets: (0, 0) }
+        rrr p(B), q(P) -> H { lengths: (0.3m, 0.25m), mode: left }
+        point F on p at (0.2m, 0.15m);
+        rrr r(F), s(C) -> K { lengths: (0.4m, 0.45m), mode: right }
+        mass 5kg on yoke at (0, 0) inertia 0.01(kg*m^2);
+        mass 1kg on r at (0.2m, 0) inertia 0.01(kg*m^2);
+        force (-push, 0) on P;
+        friction mu on block at P radius 30mm;
+        friction mu at K radius 20mm;
+        output theta.drive, block.P, block.P.friction, r.K, r.K.friction, losses;
+    }
+}

@@ -6,6 +6,7 @@ mod browser;
 mod chromium;
 mod contents;
 mod hard;
+mod machines;
 mod numbers;
 
 /// The program of the README is the example that is compiled beside this test.

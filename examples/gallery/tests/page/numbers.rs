@@ -12,7 +12,7 @@ use linkage_core::private::Solver;
 use linkage_core::sketch::{Drawn, Film, Paged, SketchError};
 use linkage_core::{Record, SolveError};
 
-use super::hard;
+use super::{contents, hard};
 
 /// On a target with fused operations the solver rounds otherwise than a script can: then numbers may differ by
 /// four units in the last place of the pose's largest.
@@ -29,13 +29,13 @@ pub(crate) struct Random(u64);
 
 impl Random {
     /// From one number to another.
-    fn from(&mut self, [least, most]: [f64; 2]) -> f64 {
+    pub(super) fn from(&mut self, [least, most]: [f64; 2]) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         least + (most - least) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
     /// The number, up to a fifth more or less.
-    fn about(&mut self, x: f64) -> f64 {
+    pub(super) fn about(&mut self, x: f64) -> f64 {
         x * self.from([0.8, 1.2])
     }
 }
@@ -83,44 +83,21 @@ where
 }
 
 /// A machine's page, and the answers of its solver at random poses.
-struct Asked {
+pub(super) struct Asked {
     name: &'static str,
     html: String,
-    lines: String,
+    pub(super) lines: String,
 }
 
 /// Answers by the names of their functions.
-type Answers = Vec<(&'static str, Result<Vec<f64>, SolveError>)>;
+pub(super) type Answers = Vec<(&'static str, Result<Vec<f64>, SolveError>)>;
 
 /// The answers of a solver's `forces` and `holding`, where it has any.
-type Forces<S, I> = fn(&S, [I; 3], &[f64]) -> Answers;
+pub(super) type Forces<S, I> = fn(&S, [I; 3], &[f64]) -> Answers;
 
-/// The page of a solver is what the compiler's texts make without Rust.
-fn is_printed_by_the_compiler_alone<S: Paged>(solver: &S) {
-    let (declared, values) = (S::PAGE, solver.params());
-    let call: proc_macro2::TokenStream = declared.text.parse().expect("these are tokens");
-    let Some(proc_macro2::TokenTree::Group(group)) = call.into_iter().last() else {
-        panic!("a call ends with its brackets")
-    };
-    let parts = linkage_compiler::page(group.stream()).expect("there is no mistake");
-    let printed =
-        [&parts.plan, &parts.script, &parts.inputs, &parts.params, &parts.loads, &parts.outputs];
-    let expanded = [
-        declared.plan,
-        declared.script,
-        declared.inputs,
-        declared.params,
-        declared.loads,
-        declared.outputs,
-    ];
-    assert_eq!(printed, expanded, "{}", S::PLAN.name);
-    assert_eq!(
-        (&parts.name[..], &parts.docs[..], parts.values.len()),
-        (S::PLAN.name, S::PLAN.docs, values.len())
-    );
-}
-
-fn asked<S: Paged + Drawn<Input = <S as Solver>::Input> + Solver<Scalar = f64> + 'static>(
+pub(super) fn asked<
+    S: Paged + Drawn<Input = <S as Solver>::Input> + Solver<Scalar = f64> + 'static,
+>(
     pages: &[(&'static str, String)],
     name: &'static str,
     ends: &[[f64; 2]],
@@ -130,7 +107,7 @@ fn asked<S: Paged + Drawn<Input = <S as Solver>::Input> + Solver<Scalar = f64> +
 where
     <S as Solver>::Input: 'static,
 {
-    is_printed_by_the_compiler_alone(&solver(&mut Random(1)));
+    contents::is_printed_by_the_compiler_alone(&solver(&mut Random(1)));
     let (_, html) = pages.iter().find(|(own, _)| *own == name).expect("it has a page").clone();
     let (mut random, mut lines) = (Random(name.len() as u64), String::new());
     for _ in 0..POSES {
@@ -167,14 +144,28 @@ pub(crate) fn script(html: &str) -> &str {
     behind.split_once("</script>").expect("it ends").0
 }
 
+/// Whose functions a machine's formulas call.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Functions {
+    /// The script's own, which round as the crate's.
+    Own,
+    /// `exp`, `ln`, `tanh` or `pow`, which are the browser's.
+    Browser,
+}
+
 /// Compares, and returns the counts of what was compared.
-fn compare(asked: &Asked) -> String {
+pub(super) fn compare(asked: &Asked) -> String {
+    compare_by(asked, Functions::Own)
+}
+
+pub(super) fn compare_by(asked: &Asked, functions: Functions) -> String {
     let folder = std::env::temp_dir();
     let stem = format!("page_{}_{}", std::process::id(), asked.name.replace("::", "_"));
     let [script_file, lines] = ["cjs", "txt"].map(|end| folder.join(format!("{stem}.{end}")));
+    let foreign = functions == Functions::Browser;
     std::fs::write(
         &script_file,
-        format!("const FUSED = {FUSED};\n{}{COMPARE}", script(&asked.html)),
+        format!("const FUSED = {FUSED}, FOREIGN = {foreign};\n{}{COMPARE}", script(&asked.html)),
     )
     .unwrap();
     std::fs::write(&lines, &asked.lines).unwrap();
@@ -390,23 +381,6 @@ fn hard_searches_end_alike() {
     let jump = hard::Jump::new();
     let pages = compared("Jump", jump.page().to_html());
     compare(&asked(&pages, "Jump", &[[-4.0, 4.0]], |_| jump, no_forces!()));
-}
-
-/// Friction that jams at some poses, takes guarded steps at others, and is smooth in some joints.
-#[test]
-fn joints_that_rub_compute_alike() {
-    if !has_node() {
-        return;
-    }
-    let rubbing = hard::Rubbing::new();
-    let pages = [("Rubbing", rubbing.page().to_html().unwrap())];
-    let solver = |random: &mut Random| hard::Rubbing { mu: random.from([0.0, 1.2]) };
-    let asked = asked(&pages, "Rubbing", &[], solver, forces!(load, holding));
-    let refused = |how: &str| asked.lines.matches(how).count();
-    assert!(refused(": Jams|") > 100, "{}", refused(": Jams|"));
-    let counts = compare(&asked);
-    // A machine at rest has forces where its joints jam.
-    assert!(counts.contains("unheld") && !counts.contains("\"unheld\":0,"), "{counts}");
 }
 
 pub(crate) fn has_node() -> bool {

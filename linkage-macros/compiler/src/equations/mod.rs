@@ -38,6 +38,7 @@ mod parts;
 pub(crate) mod placing;
 mod point;
 mod reactions;
+mod slip_rounding;
 mod symbol;
 #[cfg(test)]
 pub(crate) mod tests;

@@ -22,6 +22,10 @@ pub(super) struct GuideReaction<'s> {
 pub(super) trait JacobianFactors<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s>;
 
+    /// By link, the largest turning or slide by which the loop takes in a unit of length, but for its sign: the
+    /// norms of the rows of J⁻¹.
+    fn gains(&self) -> [Sym<'s>; 2];
+
     /// The efforts of a slot's distance and angle in its link.
     fn efforts_of_slot(&self, _: GuideReaction<'s>, _: Sym<'s>) -> [Sym<'s>; 2] {
         unreachable!("only a group with a slot has any")

@@ -252,6 +252,17 @@ impl<'s> Sym<'s> {
         }
     }
 
+    /// True if this is an input, one of its rates or a constant, the opposite or a product: rounded once at most.
+    pub(crate) fn is_multiple_of_input(self) -> bool {
+        let graph = self.builder.graph.borrow();
+        let is_given = |id| matches!(graph.node(id), Node::Constant(_) | Node::Input { .. });
+        match graph.node(self.id) {
+            Node::Neg(a) => is_given(a),
+            Node::Mul(a, b) => is_given(a) && is_given(b),
+            _ => is_given(self.id),
+        }
+    }
+
     /// The value that this stands on, under a condition.
     fn beneath(self) -> Option<Self> {
         let beneath = self.builder.graph.borrow().beneath(self.id);

@@ -75,6 +75,7 @@ mod reads;
 mod references;
 mod relations;
 mod resolved_expr;
+pub(crate) mod rigid;
 mod rotatability;
 mod scope;
 mod searched;

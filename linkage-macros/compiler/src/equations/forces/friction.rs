@@ -14,7 +14,9 @@
 //!
 //! # Direction
 //! Against the slip w: s = sign w. At w = 0 the motion is just starting, and s = sign ẇ; at rest it is the
-//! sign of the slip of a creep. Smoothed it is w/√(w² + e²).
+//! sign of the slip of a creep. Smoothed it is w/√(w² + e²), of which a creep leaves nothing.
+//!
+//! Bodies that are rigid with one another do not slip; elsewhere w and ẇ are zero below their [`SlipRounding`].
 //!
 //! # Source
 //! R. L. Norton, Design of Machinery, ch. 11; A. S. Hall, Kinematics and Linkage Design, on friction
@@ -32,9 +34,11 @@ use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::reactions::{Acting, Inner, Loads, Reaction, Reactions};
+use crate::equations::slip_rounding::SlipRounding;
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::acting::{Contact, Effort, Friction};
 use crate::model::mechanism::{Carrier, Group, Mechanism};
+use crate::model::rigid::RigidBodies;
 use amount::Row;
 pub(super) use by_load::walked as walked_by_load;
 pub(super) use forward::accelerations;
@@ -101,6 +105,9 @@ fn pressed<'s>(walk: &Walk<'_, 's>, contacts: &[Rubbing<'s>]) -> Vec<[Sym<'s>; 2
 
 /// The slip of the link against the other body, and its rate.
 pub(in crate::equations) fn slip<'s>(state: &Kinematics<'s>, contact: Contact) -> [Sym<'s>; 2] {
+    if RigidBodies::of(state.mechanism).hold(state.mechanism, contact) {
+        return [state.builder.zero(); 2];
+    }
     match contact {
         Contact::Guide(link) => {
             let Jet { rate, accel, .. } = state.link(link).slide.expect("it slides");
@@ -112,6 +119,34 @@ pub(in crate::equations) fn slip<'s>(state: &Kinematics<'s>, contact: Contact) -
             [own.omega - other.omega, own.alpha - other.alpha]
         }
     }
+}
+
+/// The sign of a dry slip: at zero that of a motion that starts, in a creep none. `rounding` bounds the slip's and that
+/// of its rate; below it a number is zero.
+fn dry<'s>(
+    [slip, starting]: [Sym<'s>; 2],
+    creeps: bool,
+    rounding: impl FnOnce() -> [Sym<'s>; 2],
+) -> Sym<'s> {
+    let zero = slip.builder().zero();
+    if slip.is_zero() && (creeps || starting.is_zero()) {
+        return zero;
+    }
+    let is_exact = slip.is_multiple_of_input() && starting.is_multiple_of_input();
+    let [least, least_starting] = if is_exact { [zero; 2] } else { rounding() };
+    let starting = match () {
+        () if creeps => zero,
+        () if least_starting.is_zero() => starting,
+        () => least_starting.at_least(starting.magnitude(), zero, starting),
+    };
+    let number = match () {
+        () if slip.is_zero() => starting,
+        () if !least.is_zero() => least.at_least(slip.magnitude(), starting, slip),
+        () if creeps => slip,
+        // The number that decides, then its sign: two choices and three.
+        () => slip.at_least(zero, zero.at_least(slip, starting, slip), slip),
+    };
+    number.sign_or(zero)
 }
 
 impl<'k, 's> Walk<'k, 's> {
@@ -177,34 +212,36 @@ impl<'k, 's> Walk<'k, 's> {
         let by_couple = length.map_or(self.builder().zero(), |b| self.builder().integer(2) / b);
         let share = share(kinematics, declared, title);
         let share = if let Rubs::Sticking(_, times) = self.rubs { times * share } else { share };
-        let way = self.way(declared, title);
+        let way = if share.is_zero() { share } else { self.way(declared, title) };
         Rubbing { friction, contact: declared.contact, place, share, by_couple, way }
     }
 
-    fn slip(&self, contact: Contact) -> [Sym<'s>; 2] {
+    /// The state whose slips friction is against.
+    fn slipping(&self) -> &Kinematics<'s> {
         match self.rubs {
-            Rubs::Creeping(state) | Rubs::Sticking(state, _) => slip(state, contact),
-            Rubs::Slipping | Rubs::Never => slip(self.kinematics, contact),
+            Rubs::Creeping(state) | Rubs::Sticking(state, _) => state,
+            Rubs::Slipping | Rubs::Never => self.kinematics,
         }
     }
 
+    fn slip(&self, contact: Contact) -> [Sym<'s>; 2] {
+        slip(self.slipping(), contact)
+    }
+
     fn way(&self, friction: &Friction, title: u32) -> Sym<'s> {
-        let [slip, starting] = self.slip(friction.contact);
-        let zero = self.builder().zero();
-        match (&friction.smooth, self.rubs) {
-            (Some(smooth), Rubs::Slipping | Rubs::Never) => {
-                let smooth = self.kinematics.length(smooth, title).value;
-                slip / slip.hypot(smooth)
-            }
-            (Some(_), Rubs::Sticking(..)) => zero,
-            (_, Rubs::Creeping(_) | Rubs::Sticking(..)) => slip.sign_or(zero),
-            // The number that decides, then its sign: two choices and three.
-            (None, Rubs::Slipping | Rubs::Never) if !slip.is_zero() => {
-                let or_starting = zero.at_least(slip, starting, slip);
-                slip.at_least(zero, or_starting, slip).sign_or(zero)
-            }
-            (None, Rubs::Slipping | Rubs::Never) => starting.sign_or(zero),
+        let state = self.slipping();
+        let creeps = matches!(self.rubs, Rubs::Creeping(_) | Rubs::Sticking(..));
+        let Some(smooth) = &friction.smooth else {
+            let contact = friction.contact;
+            let rounding =
+                || self.rounding.get_or_init(|| SlipRounding::of(state)).of_slip(contact);
+            return dry(slip(state, contact), creeps, rounding);
+        };
+        if creeps {
+            return self.builder().zero();
         }
+        let [slip, _] = self.slip(friction.contact);
+        slip / slip.hypot(self.kinematics.length(smooth, title).value)
     }
 
     /// The loads on a group of a unit of friction at one of its joints.

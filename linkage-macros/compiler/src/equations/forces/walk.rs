@@ -3,6 +3,7 @@
 mod closing;
 mod steps;
 
+use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use crate::equations::forces::loads::{
@@ -13,6 +14,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
 use crate::equations::reactions::{Acting, GuideReaction};
+use crate::equations::slip_rounding::SlipRounding;
 use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::model::acting::Effort;
 use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, PointId, UnknownId};
@@ -43,6 +45,8 @@ pub(in crate::equations) struct Walk<'k, 's> {
     /// By point, the sum of what is put on it but for joints.
     put: HashMap<PointId, Vector<'s>>,
     pub(super) rubs: Rubs<'k, 's>,
+    /// That of the state whose slips count, as soon as a joint asks for it.
+    pub(super) rounding: OnceCell<SlipRounding<'s>>,
     /// The power that friction takes.
     pub(in crate::equations) losses: Sym<'s>,
     /// The amount of friction, by its index.
@@ -104,6 +108,7 @@ impl<'k, 's> Walk<'k, 's> {
             standing: HashMap::new(),
             put: HashMap::new(),
             rubs,
+            rounding: OnceCell::new(),
             losses: builder.zero(),
             amounts: HashMap::new(),
             braking: HashMap::new(),

@@ -167,6 +167,10 @@ impl<'s> JacobianFactors<'s> for PrpLevers<'s> {
         let guides = [guide(first, on_first, u1), guide(second, on_second, u2)];
         Reactions { outer: guides.map(Reaction::Guide), inner: Inner::Pin([on_first, on_second]) }
     }
+
+    fn gains(&self) -> [Sym<'s>; 2] {
+        [self.inverse; 2]
+    }
 }
 
 /// Two guides along the axes cross where one gives x and the other gives y, without arithmetic.

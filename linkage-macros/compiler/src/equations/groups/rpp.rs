@@ -194,6 +194,10 @@ impl<'s> JacobianFactors<'s> for RppLevers<'s> {
         }
     }
 
+    fn gains(&self) -> [Sym<'s>; 2] {
+        [self.inverse; 2]
+    }
+
     /// A driven offset e₁ moves the slot against the yoke.
     fn efforts_of_slot(&self, reaction: GuideReaction<'s>, along: Sym<'s>) -> [Sym<'s>; 2] {
         let &Self { rail, slot, cosine, offsets: [_, e2], slide, .. } = self;

@@ -239,6 +239,12 @@ impl<'s> JacobianFactors<'s> for RprLevers<'s> {
         let outer = [-(block.force + push), push - bar.force].map(Reaction::Force);
         Reactions { outer, inner }
     }
+
+    fn gains(&self) -> [Sym<'s>; 2] {
+        // The block's is |b|/s, of which s and e are the sides.
+        let one = self.inverse.builder().integer(1);
+        [one + (self.e * self.inverse).magnitude(), self.inverse]
+    }
 }
 
 /// s² = b² − e², which is smooth, vanishes at the limit and is negative out of reach; its value

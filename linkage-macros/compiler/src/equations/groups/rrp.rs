@@ -153,7 +153,7 @@ fn rrp<'s>(
         links: vec![bar.link(scope.links[0]), block],
         pin: Some(pin),
         bars: vec![bar.vector()],
-        levers: Some(Box::new(RrpLevers { u, n, across: t, inverse })),
+        levers: Some(Box::new(RrpLevers { u, n, length: l, across: t, inverse })),
     }
 }
 
@@ -179,17 +179,18 @@ fn pin<'s>(
     }
 }
 
-/// The guide's axes, t of the bar in them, and 1/X.
+/// The guide's axes, the bar's length, t of it in them, and 1/X.
 struct RrpLevers<'s> {
     u: Vector<'s>,
     n: Vector<'s>,
+    length: Sym<'s>,
     across: Sym<'s>,
     inverse: Sym<'s>,
 }
 
 impl<'s> JacobianFactors<'s> for RrpLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
-        let (&Self { u, n, across, inverse }, [bar, block]) = (self, loads.links);
+        let (&Self { u, n, across, inverse, .. }, [bar, block]) = (self, loads.links);
         let outside = loads.pin + block.force;
         let along = outside.dot(u);
         let normal = (across * along - bar.moment) * inverse;
@@ -198,6 +199,10 @@ impl<'s> JacobianFactors<'s> for RrpLevers<'s> {
         let inner = Inner::Pin([on_bar, loads.pin - on_bar]);
         let outer = Reaction::Force(-(bar.force + on_bar));
         Reactions { outer: [outer, Reaction::Guide(guide)], inner }
+    }
+
+    fn gains(&self) -> [Sym<'s>; 2] {
+        [self.inverse, self.length * self.inverse]
     }
 }
 

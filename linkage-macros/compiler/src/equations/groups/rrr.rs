@@ -166,7 +166,11 @@ fn rrr<'s>(
         links: links.collect(),
         pin: Some(pin),
         bars: r.into(),
-        levers: Some(Box::new(RrrLevers { r, inverse: triangle.inverse })),
+        levers: Some(Box::new(RrrLevers {
+            r,
+            lengths: triangle.lengths,
+            inverse: triangle.inverse,
+        })),
     }
 }
 
@@ -177,21 +181,27 @@ fn carrier<'s>([b, d]: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> usize {
     usize::from(d.is_fixed() || is_cylinder && !b.is_fixed())
 }
 
-/// The vectors of the bars and 1/J.
+/// The vectors of the bars, their lengths and 1/J.
 struct RrrLevers<'s> {
     r: [Vector<'s>; 2],
+    lengths: [Sym<'s>; 2],
     inverse: Sym<'s>,
 }
 
 impl<'s> JacobianFactors<'s> for RrrLevers<'s> {
     fn reactions(&self, loads: &Loads<'s>) -> Reactions<'s> {
-        let (&Self { r: [r2, r3], inverse }, [first, second]) = (self, loads.links);
+        let (&Self { r: [r2, r3], inverse, .. }, [first, second]) = (self, loads.links);
         let from_second = (second.moment + r3.cross(loads.pin)) * inverse;
         let from_first = first.moment * inverse;
         let on_first = -(from_second * r2 + from_first * r3);
         let on_second = loads.pin - on_first;
         let outer = [-(first.force + on_first), -(second.force + on_second)];
         Reactions { outer: outer.map(Reaction::Force), inner: Inner::Pin([on_first, on_second]) }
+    }
+
+    fn gains(&self) -> [Sym<'s>; 2] {
+        let &Self { lengths: [l2, l3], inverse, .. } = self;
+        [l3 * inverse, l2 * inverse]
     }
 }
 

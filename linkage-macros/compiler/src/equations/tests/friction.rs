@@ -23,7 +23,7 @@ use crate::passes;
 
 /// The declaration with friction at every joint: of each pin and guide another coefficient, and of every
 /// second guide the couple counts.
-fn rubbing(source: &str) -> String {
+pub(super) fn rubbing(source: &str) -> String {
     let plain = mechanism(source);
     let name = |carrier: Carrier| plain.body_name(carrier);
     let mut added = String::new();

@@ -14,4 +14,5 @@ mod laws;
 mod left_out;
 mod newton_euler;
 mod rates;
+mod slip_rounding;
 mod straight_proofs;

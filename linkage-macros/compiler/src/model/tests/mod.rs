@@ -20,6 +20,7 @@ mod numbers;
 mod outputs;
 mod places;
 mod resolved;
+mod rigid;
 mod slips;
 mod springs;
 mod stops;

@@ -115,7 +115,8 @@ fn forces_keep_their_budgets() {
     assert!(written(one, "forces") < all && written(one, "statics") < all_at_rest, "{text}");
 }
 
-/// Three pins of a group share what their common force changes by: a sign taken for another sum costs a third unknown.
+/// Three pins of a group share what their common force changes by: a sign taken for another sum costs a third unknown. 56
+/// operations of a motion bound the rounding of its slips and of their rates, and 29 that of a creep.
 #[test]
 fn friction_keeps_its_budgets() {
     let rrr = heavy_four_bar!(
@@ -123,7 +124,7 @@ fn friction_keeps_its_budgets() {
          output q.drive;"
     );
     let found = [written(rrr, "forces"), written(rrr, "statics")];
-    assert!(found[0] <= 416 && found[1] <= 337, "{found:?}");
+    assert!(found[0] <= 472 && found[1] <= 366, "{found:?}");
 }
 
 /// Name, declaration, and the budgets of position and motion.

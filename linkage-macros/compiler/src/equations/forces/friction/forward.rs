@@ -15,13 +15,17 @@
 //! in which its drive leaves the band of the two creeps, and inside the band it stays: q̈ = 0. With several inputs
 //! it is not known what sticks, so signs have to be smooth there.
 
+use std::cell::OnceCell;
+
 use super::{Rubbing, pressed, slip};
 use crate::equations::forces::dynamics::{Equations, drive_at};
 use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::forces::walk::{Rubs, Walk};
 use crate::equations::kinematics::{InputMotion, Kinematics};
+use crate::equations::slip_rounding::SlipRounding;
 use crate::equations::symbol::Sym;
 use crate::ir::graph::Id;
+use crate::model::acting::Contact;
 use crate::model::mechanism::Mechanism;
 
 use super::amount::Row;
@@ -68,6 +72,29 @@ pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -
     second_rates.collect()
 }
 
+/// The signs of slips in a state.
+struct Signs<'k, 's> {
+    state: &'k Kinematics<'s>,
+    rounding: OnceCell<SlipRounding<'s>>,
+}
+
+impl<'k, 's> Signs<'k, 's> {
+    fn of(state: &'k Kinematics<'s>) -> Self {
+        Self { state, rounding: OnceCell::new() }
+    }
+
+    /// The sign of a slip; another where it is below its rounding.
+    fn sign_or(&self, contact: Contact, other: Sym<'s>) -> Sym<'s> {
+        let [slip, _] = slip(self.state, contact);
+        if slip.is_multiple_of_input() {
+            return slip.sign_or(other);
+        }
+        let [least, _] =
+            self.rounding.get_or_init(|| SlipRounding::of(self.state)).of_slip(contact);
+        least.at_least(slip.magnitude(), other, slip.sign_or(slip.builder().zero()))
+    }
+}
+
 /// The contacts at these rates, with the signs of their slips, which are those of the start where nothing
 /// moves. `unit` is the state at a unit rate of the first input.
 fn contacts<'s>(
@@ -79,11 +106,11 @@ fn contacts<'s>(
     let walk = Walk::start(moving, Rubs::Never);
     let mut contacts = walk.contacts();
     let Some(start) = start else { return contacts };
+    let [moving, unit] = [moving, unit].map(Signs::of);
     for contact in &mut contacts {
         if mechanism.dynamics.frictions[contact.friction].smooth.is_none() {
-            let by_unit = slip(unit, contact.contact)[0].sign_or(builder.zero());
-            let [slip, _] = slip(moving, contact.contact);
-            contact.way = slip.sign_or(by_unit * start.way);
+            let by_unit = unit.sign_or(contact.contact, builder.zero());
+            contact.way = moving.sign_or(contact.contact, by_unit * start.way);
         }
     }
     contacts
