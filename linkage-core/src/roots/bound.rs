@@ -144,4 +144,29 @@ mod tests {
             assert!([at, is_dead_point].iter().all(|range| range.bounds()[0].is_nan()));
         }
     }
+
+    /// A curvature of one sign has the dead point next to the end, and one of either sign says nothing.
+    #[test]
+    fn a_curvature_of_either_sign_says_nothing() {
+        type Ranges = <f64 as Real>::Enclosing;
+        let range = |least: f64, most: f64| -> Ranges {
+            (0.5 * (least + most)).enclosing(0.5 * (most - least))
+        };
+        let found = |end: usize, [least, most]: [f64; 2]| {
+            let f = |_| [range(-1.0, 1.0), range(-0.01, 0.01), range(least, most)];
+            let (at, is_dead) = bound([0.0, 1.0].map(Ranges::num), Trend::Rising, end, f);
+            [at, is_dead].map(|range| range.bounds()[0])
+        };
+        for (end, curvature) in [(0, [0.5, 2.0]), (1, [-2.0, -0.5])] {
+            assert!(found(end, curvature).iter().all(|least| least.is_finite()), "{end}");
+        }
+        for (end, curvature) in
+            [(0, [-0.5, 2.0]), (1, [-2.0, 0.5]), (0, [-2.0, -0.5]), (1, [0.5, 2.0])]
+        {
+            assert!(
+                found(end, curvature).iter().all(|least| least.is_nan()),
+                "{end} {curvature:?}"
+            );
+        }
+    }
 }

@@ -233,4 +233,26 @@ mod tests {
         let found = root(between, Trend::Rising, None, || Ok([0.5, 1.0]), touching);
         assert_eq!(found.map(|[at, _]| (at.re, at.eps)), Ok((0.5, 0.0)));
     }
+
+    /// Ends that are a turn apart but for their rounding are a turn apart, and no more than that.
+    #[test]
+    fn ends_a_turn_apart_are_a_turn_apart_wherever_they_are() {
+        let turn = core::f64::consts::TAU;
+        let sides = |x: f64| [(x - 0.3).sin(), 0.25, (x - 0.3).cos()];
+        let found = |between| {
+            root_within_a_turn(between, Trend::Rising, None, || unreachable!("numbers"), sides)
+        };
+        let mut wider = 0;
+        for step in 0..2000 {
+            // Beyond 128 a turn is rounded up.
+            let from = -300.0 + 0.3 * f64::from(step);
+            let to = from + turn;
+            wider += u32::from(to - from > turn);
+            assert!(!matches!(found([from, to]), Err(FindError::Interval { .. })), "{from}");
+            // 1e-13 of the ends is two hundred units in their last place.
+            let beyond = to + 1e-13 * (from.abs() + to.abs() + turn);
+            assert_eq!(found([from, beyond]), Err(FindError::Interval { from, to: beyond }));
+        }
+        assert!(wider > 200, "{wider}");
+    }
 }

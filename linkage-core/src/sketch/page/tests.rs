@@ -4,6 +4,7 @@ mod amounts;
 mod cases;
 mod courses;
 mod node;
+mod refusals;
 mod routines;
 mod searches;
 mod words;
@@ -16,6 +17,7 @@ use super::assembled::{ARITHMETIC, FRICTION, READS, SEARCH, SHOWS};
 use amounts::amounts;
 use cases::{Case, conditions, kernels};
 use courses::{COURSE, courses};
+use refusals::{REFUSALS, refusals};
 use routines::{ROUTINE, routines};
 use searches::{pieces, searches};
 
@@ -67,6 +69,8 @@ const answer = (name, given) => {
   if (name === "amounts") return rubbing(given);
   if (name === "routine") return routine(given);
   if (name === "course") return course(given);
+  if (name === "blamed") return blamedOf(given);
+  if (name === "closed") return closedOf(given);
   if (name === "piece") {
     const place = (k) => ({ x: given[k], value: given[k + 1], slope: given[k + 2] });
     const piece = new Open([place(1), place(4)], given[0]);
@@ -97,7 +101,7 @@ fn compare(cases: impl Iterator<Item = Case>) {
     }
     let lines: String = cases.map(|case| format!("{case}\n")).collect();
     let run_time = [&ARITHMETIC[..], &SEARCH, &FRICTION].concat().concat();
-    let script = format!("{run_time}{COURSE}{ROUTINE}{COMPARE}");
+    let script = format!("{run_time}{COURSE}{ROUTINE}{REFUSALS}{COMPARE}");
     let Some(output) = node::run(&script, &lines) else { return };
     assert!(output.is_success, "{}", output.text);
 }
@@ -131,6 +135,18 @@ fn the_script_surveys_alike() {
 #[test]
 fn the_script_leaves_the_fast_path_with_all_its_frictions() {
     compare(routines());
+}
+
+/// Every kind of answer is often met.
+#[test]
+fn the_script_blames_alike() {
+    let cases: Vec<Case> = refusals().collect();
+    let met = |answer: &str| cases.iter().filter(|case| case.answer.contains(answer)).count();
+    for answer in ["result", "0", "3", "NotFinite x", "NoSolution x", "SeveralDeadPoints x", "fine"]
+    {
+        assert!(met(answer) > 100, "{answer}: {}", met(answer));
+    }
+    compare(cases.into_iter());
 }
 
 /// Every kind of answer is often met.

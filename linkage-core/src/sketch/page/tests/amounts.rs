@@ -75,6 +75,8 @@ pub(super) fn system(random: &mut Random, count: usize, of_values: bool) -> Vec<
             rows.chunks_mut(width)
                 .for_each(|row| (row[1], row[2]) = (size * row[1], size * row[2]));
         }
+        // One that bears nothing, whatever the others do.
+        5 => rows[1..width].fill(0.0),
         // A contact that does not rub, beside others.
         4 => rows[0] = 0.0,
         // A pivot that is zero.

@@ -61,6 +61,10 @@ fn sides<T: Real>([level, c1, c2, c3, c4, c5, kind]: [T; 7], x: T) -> [T; 3] {
             }
             [c1 * wave + c2 * x, level, c1 * rate + c2]
         }
+        9 => {
+            let is_hole = square.gt(number(1e-4)) && number::<T>(1.5e-2).gt(square);
+            [if is_hole { number(f64::NAN) } else { sum }, level, slope]
+        }
         _ => [sum, level, slope],
     }
 }
@@ -151,8 +155,24 @@ fn equation(random: &mut Random, is_single: bool) -> [f64; 9] {
     x.map(|x| if is_single { f64::from(x as f32) } else { x })
 }
 
+/// A sum that falls through zero at a sample of value zero, with holes between that and the samples beside it: the
+/// sample says all, and nothing is asked beside it.
+const FALLS_AT_A_SAMPLE: [f64; 9] = [-0.375, 0.625, 0.25, -0.75, -0.25, 1.4375, 0.0, 1.0, 9.0];
+
+fn planted_agree(programs: &[Program]) {
+    for is_single in [false, true] {
+        let call = Call { which: FIRST, is_single, x: FALLS_AT_A_SAMPLE };
+        let answers = compare(programs, &[call], |call| match is_single {
+            false => expected::<f64>(call),
+            true => expected::<f32>(call),
+        });
+        assert_eq!(answers[0][..2], [8.0, 0.585_937_5]);
+    }
+}
+
 /// Also that every kind of answer is often met.
 pub(super) fn roots_agree(programs: &[Program], count: usize) {
+    planted_agree(programs);
     let mut random = Random(23);
     for is_single in [false, true] {
         let mut statuses = BTreeMap::new();

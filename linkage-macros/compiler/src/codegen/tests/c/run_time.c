@@ -127,6 +127,7 @@ static double blamed(const LinkageWhy *why)
             sides[0] = (number)0.01 * size > (off >= 0 ? off : -off) ? (number)NAN : sum;                           \
             break;                                                                                                  \
         }                                                                                                           \
+        case 9: sides[0] = x * x > (number)1e-4 && (number)1.5e-2 > x * x ? (number)NAN : sum; break;               \
         case 7: case 8: {                                                                                           \
             number wave = x, rate = one;                                                                            \
             int i;                                                                                                  \
