@@ -71,6 +71,8 @@ mod fuzz;
 mod interface;
 mod ir;
 mod lower;
+#[cfg(test)]
+mod mistakes;
 mod model;
 #[cfg(test)]
 mod oracle;

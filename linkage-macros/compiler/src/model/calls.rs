@@ -71,6 +71,16 @@ pub(super) fn call(
 
 /// Reports `angle(BC)` and `x(P)`; whether it was one of these.
 fn member_as_a_function(scope: &mut Scope<'_>, name: &Ident, arguments: &[tree::Expr]) -> bool {
+    let names: Vec<_> = arguments.iter().filter_map(bare_name).collect();
+    if let [first, second] = names[..]
+        && name == "angle"
+        && names.iter().all(|owner| scope.names.kind(owner) == Some(Kind::Link))
+    {
+        let message = format!("write `{first}.angle - {second}.angle`");
+        let reason = "an angle between two links is a difference, and an output of it has a name: `output fold = …;`";
+        scope.diagnostics.error_because(name.span(), message, reason);
+        return true;
+    }
     let [Some(owner)] = arguments.iter().map(bare_name).collect::<Vec<_>>()[..] else {
         return false;
     };

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::diagnostics::Extent;
+use crate::diagnostics::{Extent, nearest};
 use crate::exact::Exact;
 use crate::syntax::tree::{self, BinaryOp, ExprKind};
 
@@ -115,6 +115,9 @@ fn named_number(scope: &mut Scope<'_>, name: &Ident, allowed: Allowed) -> Option
     if scope.names.kind(name) == Some(Kind::Load) {
         return loads_in_forces::value_of_load(scope, name, allowed);
     }
+    if allowed.forces && is_nearly_a_load(scope, name) {
+        uses::usable(scope, name, &[Kind::Load])?;
+    }
     match uses::usable(scope, name, &NUMBERS)? {
         Entity::Input(id) => {
             let measure = Measure::Known(scope.mechanism.inputs[id.index()].dimension);
@@ -144,6 +147,13 @@ fn named_number(scope: &mut Scope<'_>, name: &Ident, allowed: Allowed) -> Option
         | Entity::Spring(_)
         | Entity::Stop(_) => None,
     }
+}
+
+/// True for a name that nothing declares and that is like that of a load, and of no other number.
+fn is_nearly_a_load(scope: &Scope<'_>, name: &Ident) -> bool {
+    let text = name.to_string();
+    let is_near = |kinds: &[Kind]| nearest(&text, scope.names.of_kinds(kinds)).is_some();
+    scope.names.symbol(name).is_none() && is_near(&[Kind::Load]) && !is_near(&NUMBERS)
 }
 
 /// The sides of a sum are quantities of one kind.

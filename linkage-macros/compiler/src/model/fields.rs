@@ -6,6 +6,7 @@ use crate::diagnostics::nearest;
 use crate::syntax::anatomy::{FieldRule, GroupSpec, Needed};
 use crate::syntax::tree::{GroupField, GroupFieldValue, GroupStatement};
 
+use crate::model::as_written::text;
 use crate::model::names::listed;
 use crate::model::parts_of_groups::Fields;
 use crate::model::scope::Scope;
@@ -65,7 +66,7 @@ fn field_exists(
     let reason = if let Some(near) = nearest(&name, free) {
         present.push(near);
         message += &format!("; a field with a similar name exists: `{near}`");
-        None
+        one_for_two(field, near, anatomy)
     } else if name == "mode" {
         Some(format!("`{keyword}` can be assembled in one way only"))
     } else if is_damaged(field) {
@@ -80,6 +81,21 @@ fn field_exists(
     };
     uses::report(scope, field.name.span(), message, reason);
     None
+}
+
+/// Where two values are given to a field of another name: that it takes one, and what the second may be.
+fn one_for_two(field: &GroupField, near: &str, anatomy: &GroupSpec) -> Option<String> {
+    let rule = anatomy.fields.iter().find(|rule| rule.name == near && !rule.pair)?;
+    let GroupFieldValue::Pair(values) = &field.value else { return None };
+    let mut others = anatomy.fields.iter().filter(|rule| rule.name != near && !rule.pair);
+    let [first, second] = values.each_ref().map(text);
+    Some(match others.next() {
+        Some(other) => format!(
+            "write `{near}: {first}, {}: {second}`: {} is {}",
+            other.name, other.name, other.meaning
+        ),
+        None => format!("it takes one value: {}", rule.meaning),
+    })
 }
 
 /// A pair is given where there are two links to speak of, one value elsewhere.

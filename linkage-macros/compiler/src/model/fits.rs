@@ -7,6 +7,7 @@ use crate::model::dimension::{Dimension, Measure};
 use crate::model::expr::Scalar;
 use crate::model::folding::shown;
 use crate::model::literals;
+use crate::model::meant;
 use crate::model::mechanism::ParamKind;
 use crate::model::names::{Entity, Kind};
 use crate::model::resolved_expr::{ANGLE_REASON, ResolvedExpr};
@@ -33,6 +34,10 @@ pub(in crate::model) fn dimension_fits(
         return None;
     }
     if let Some(reason) = factor_without_unit(scope, expr, wanted.times(found, -1)) {
+        scope.diagnostics.error_because(expr.span, message, reason);
+        return None;
+    }
+    if let Some(reason) = meant::literal_of(expr, found, wanted) {
         scope.diagnostics.error_because(expr.span, message, reason);
         return None;
     }

@@ -10,7 +10,7 @@
 //! |---|---|
 //! | `dimension`, `units`, `expr`, `ids`, `mechanism`, `acting`, `effort` | the mechanism, as later phases read it |
 //! | `names`, `facts`, `scope` | all that is declared so far |
-//! | `uses`, `declared`, `kinds` | names where they are used, links and points where they are made |
+//! | `uses`, `declared`, `kinds`, `meant` | names where they are used, links and points where they are made |
 //! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `loads_in_forces`, `readings`, `expressions`, `numbers` | expressions |
 //! | `effort_dimensions`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given` | efforts, and what is asked for |
 //! | `fields`, `modes`, `jointed`, `assembly`, `coincidence` | what the groups share |
@@ -60,6 +60,7 @@ mod left_out;
 mod link_efforts;
 mod literals;
 mod loads_in_forces;
+mod meant;
 pub(crate) mod mechanism;
 pub(crate) mod modes;
 mod named_efforts;
@@ -188,6 +189,7 @@ fn walked<'d>(
     order::statements_are_in_order(&mut scope, tree);
     literals::bare_lengths_are_of_a_machine(&mut scope);
     unused::an_input_is_declared(&mut scope, tree);
+    scope.names.use_is_hidden |= scope.diagnostics.count() > 0;
     unused::every_input_is_used(&mut scope, tree, drawn.is_some());
     unused::actions_have_an_effect(&mut scope, tree);
     scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);

@@ -100,7 +100,7 @@ pub(super) struct Names {
     pub reported_unknown: HashSet<String>,
     /// True if one of them stands where a number does.
     pub number_is_unknown: bool,
-    /// True if a mistake may have hidden the use of an input.
+    /// True if a mistake may have hidden the use of an input or a load.
     pub use_is_hidden: bool,
     /// The names behind `solve`.
     pub solved: HashSet<String>,

@@ -55,6 +55,11 @@ fn argument_of_rate(
     });
     let mistake = match (load, nested) {
         (Some(at), _) => Some((at, "a load has no rate", "it is a number that each call is given")),
+        (None, Some(at)) if allowed.efforts => Some((
+            at,
+            "a rate of a rate is an acceleration, and no output",
+            "ask for what moves itself: `motion` gives the second rate of every output",
+        )),
         (None, Some(at)) => Some((
             at,
             "a rate of a rate is an acceleration, on which no force may depend",

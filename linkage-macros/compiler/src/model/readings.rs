@@ -7,7 +7,7 @@ use crate::syntax::tree;
 
 use crate::model::dimension::Measure;
 use crate::model::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar, Step};
-use crate::model::names::Kind;
+use crate::model::names::{Entity, Kind};
 use crate::model::reads::{Allowed, Reads};
 use crate::model::resolved_expr::{ResolvedExpr, bare_name, counted};
 use crate::model::scope::Scope;
@@ -60,6 +60,10 @@ fn axis(scope: &mut Scope<'_>, owner: &Ident, member: &Ident) -> Option<Axis> {
             };
             (of, format!("a reaction at `{owner}` acts on a link, which is named in front"))
         }
+        _ if scope.names.kind(member) == Some(Kind::Link) => (
+            format!("write `{member}.{owner}`"),
+            format!("a reaction at `{owner}` acts on a link, which is named in front"),
+        ),
         _ => (
             format!("a point has no `{part}`; it has `x` and `y`"),
             format!("write `{owner}.x` or `{owner}.y`; `output {owner}` gives both"),
@@ -231,6 +235,11 @@ fn member_of_link(
 fn friction_is_implicit(scope: &mut Scope<'_>, member: &Ident) {
     let message = "only an output reads a reaction or an effort";
     scope.diagnostics.error_because(member.span(), message, FRICTION);
+}
+
+/// True if a link slides.
+pub(super) fn slides(scope: &Scope<'_>, name: &Ident) -> bool {
+    matches!(scope.names.entity(name), Some(Entity::Link(link)) if scope.mechanism.links[link.index()].slides)
 }
 
 /// Only a link that slides has a slide.

@@ -1,7 +1,7 @@
 //! Checks that what is declared has a use: inputs, loads and gravity.
 
 use crate::syntax::tree::{
-    Action, Declaration, Expr, ExprKind, LetStatement, OutputStatement, Statement, StatementKind,
+    Action, Declaration, Expr, LetStatement, OutputStatement, Statement, StatementKind,
 };
 
 use crate::model::acting::Dynamics;
@@ -21,8 +21,8 @@ pub(in crate::model) fn an_input_is_declared(scope: &mut Scope<'_>, tree: &Decla
     }
 }
 
-/// Every input is used by something other than a `let` that nothing uses. Nothing is said
-/// where another mistake may have hidden the use.
+/// Every input is used by something other than a `let` that nothing uses. It waits for other mistakes, which may
+/// have hidden the use.
 pub(in crate::model) fn every_input_is_used(
     scope: &mut Scope<'_>,
     tree: &Declaration,
@@ -112,9 +112,8 @@ pub(in crate::model) fn actions_have_an_effect(scope: &mut Scope<'_>, tree: &Dec
         // A load that drives has to act.
         let is_given = scope.facts.driving.as_deref() != Some(&name);
         let is_used = acting.contains(&name) || is_given && named.contains(&name);
-        // Where it stands in error, that was said.
-        let is_mentioned = || scope.diagnostics.count() > 0 && is_mentioned(tree, &name);
-        if is_used || tree.unread.may_hold(&name) || is_mentioned() {
+        // It may stand in what is in error.
+        if is_used || tree.unread.may_hold(&name) || scope.names.use_is_hidden {
             continue;
         }
         let message = format!("nothing uses the load `{name}`; use it or remove it");
@@ -128,19 +127,20 @@ pub(in crate::model) fn actions_have_an_effect(scope: &mut Scope<'_>, tree: &Dec
         let message = "gravity without a mass does nothing; declare one or remove it";
         scope.diagnostics.error_because(at, message, "as in `mass 2kg on BC uniform`");
     }
+    friction_has_a_load(scope, tree);
 }
 
-/// True if any expression of the declaration holds the name, be it that of a function.
-fn is_mentioned(tree: &Declaration, name: &str) -> bool {
-    let mut is_mentioned = false;
-    for statement in &tree.statements {
-        expressions(statement, &mut |expr| {
-            expr.each_part(&mut |part| {
-                let called = matches!(&part.kind, ExprKind::Call(function, _) if function == name);
-                is_mentioned |= called;
-            });
-            expr.each_name(&mut |used| is_mentioned |= used == name);
-        });
+/// Friction is of what presses: where nothing has mass or acts, nothing does.
+fn friction_has_a_load(scope: &mut Scope<'_>, tree: &Declaration) {
+    let waits = scope.names.use_is_hidden || !scope.mechanism.dynamics.is_empty();
+    let mut statements = tree.statements.iter().filter(|_| !waits);
+    let first = statements.find_map(|statement| match &statement.kind {
+        StatementKind::Action(Action::Friction(friction)) => Some(friction.at),
+        _ => None,
+    });
+    if let Some(at) = first {
+        let message =
+            "friction where nothing presses does nothing; declare a mass or a force, or remove it";
+        scope.diagnostics.error_because(at, message, "as in `mass 2kg on P`");
     }
-    is_mentioned
 }

@@ -16,6 +16,13 @@ pub(super) fn name_is_new(scope: &mut Scope<'_>, name: &Ident) -> Option<()> {
     let symbol = &mut scope.names.symbols[index];
     if symbol.declared {
         symbol.ambiguous = true;
+        let is_drawn_twice = symbol.made_by == format!("ground {text}");
+        if is_drawn_twice && scope.names.pins.contains(&text) {
+            let message = format!("leave out `{text}` here");
+            let reason = "a point of the ground is a pin of the links through it already";
+            scope.diagnostics.error_because(name.span(), message, reason);
+            return None;
+        }
         let reason = format!("the first `{text}` is made by `{}`", symbol.made_by);
         let message = format!("the name `{text}` is taken; choose another");
         scope.diagnostics.error_because(name.span(), message, reason);
@@ -61,7 +68,7 @@ pub(super) fn usable(scope: &mut Scope<'_>, name: &Ident, kinds: &[Kind]) -> Opt
     }
     if !kinds.contains(&symbol.kind) {
         let message = format!("`{name}` is {}, not {}", symbol.kind.one(), one_of(kinds));
-        let reason = reason_for_kind(name, symbol, kinds);
+        let reason = reason_for_kind(name, symbol, kinds, scope.drawn.is_some());
         report(scope, name.span(), message, reason);
         return None;
     }
@@ -172,7 +179,12 @@ fn one_of(kinds: &[Kind]) -> String {
 }
 
 /// The correction where a name of one kind stands in the place of another.
-fn reason_for_kind(name: &Ident, found: &Symbol, wanted: &[Kind]) -> Option<String> {
+fn reason_for_kind(
+    name: &Ident,
+    found: &Symbol,
+    wanted: &[Kind],
+    is_drawn: bool,
+) -> Option<String> {
     match (found.kind, wanted) {
         (Kind::Link, [Kind::Point]) => {
             Some(format!("name a joint of `{name}`, or a `point` on it"))
@@ -183,6 +195,10 @@ fn reason_for_kind(name: &Ident, found: &Symbol, wanted: &[Kind]) -> Option<Stri
         }
         (Kind::Point, _) if wanted == NUMBERS => {
             Some(format!("its coordinates are `{name}.x` and `{name}.y`"))
+        }
+        (Kind::Point, [Kind::Link]) if found.is_a_pin && is_drawn => {
+            let links = found.made_by.split_once(' ').map_or("", |(_, links)| links);
+            Some(format!("name a link through it: `{}`", links.replace(", ", "` or `")))
         }
         (Kind::Point, [Kind::Link]) if found.is_a_pin => {
             Some(format!("it is the pin of `{}`: name the link", found.made_by))

@@ -119,13 +119,20 @@ impl Parser<'_> {
                 return self.refuse_because(&message, AXES);
             }
             if self.is_word(0, "at") {
-                let message = format!("declare a point here: `point P on {on} at (x, y);`");
+                let place = self.rest_of_statement(1);
+                let link = if self.is_a_link(&on) { on.to_string() } else { "LINK".to_string() };
+                let message = format!("declare a point: `point P on {link} at {place};`");
                 return self
                     .refuse_because(&message, "a force acts on a point, by its name: `… on P`");
             }
             return Ok(StatementKind::Action(Action::Force(ForceStatement { value, axes, on })));
         }
+        let shown =
+            self.as_written(0, |tree| matches!(tree, TokenTree::Ident(word) if word == "along"));
         let value = self.expression()?;
+        if let Some(told) = self.force_along_a_line(&shown) {
+            told?;
+        }
         if let (true, Some(axes)) = (self.is_word(0, "in"), self.peek_ident(1)) {
             let message =
                 format!("write both components in front: `force (fx, fy) in {axes} on P`");
@@ -198,6 +205,9 @@ impl Parser<'_> {
 
     pub(super) fn friction(&mut self, at: Span) -> Parse<StatementKind> {
         let coefficient = self.expression()?;
+        if let Some(told) = self.percentage() {
+            told?;
+        }
         let site = match () {
             () if self.take_word("at") => FrictionSite::Pin(self.name_of("a pin")?),
             () if self.take_word("on") => {
@@ -219,6 +229,9 @@ impl Parser<'_> {
         let mut friction =
             FrictionStatement { at, coefficient, site, radius: None, length: None, smooth: None };
         loop {
+            if let Some(told) = self.diameter() {
+                told?;
+            }
             let part = match () {
                 () if self.is_word(0, "radius") => &mut friction.radius,
                 () if self.is_word(0, "length") => &mut friction.length,
@@ -239,11 +252,18 @@ impl Parser<'_> {
         if !self.take_word("between") {
             return self.expected_because("`on` or `between`", forms);
         }
-        let first = self.name_of(what)?;
+        let first = self.end_of_two(what)?;
         if !self.take_word("and") {
             return self.expected_because("`and`", forms);
         }
-        Ok([first, self.name_of(what)?])
+        Ok([first, self.end_of_two(what)?])
+    }
+
+    fn end_of_two(&mut self, what: &str) -> Parse<Ident> {
+        if let Some(told) = self.end_without_a_name() {
+            told?;
+        }
+        self.name_of(what)
     }
 
     /// The parsed value, or `fallback` where the statement is skipped because of a mistake.

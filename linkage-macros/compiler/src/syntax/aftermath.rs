@@ -11,6 +11,8 @@ use super::words;
 pub(super) struct Aftermath {
     /// The identifiers that were given up, see [`super::tree::Unread`].
     pub unread: HashSet<String>,
+    /// True if a statement by which the machine moves was not read as it is written.
+    pub is_damaged: bool,
     /// True if the statement in hand was told that no force reads a reaction.
     pub reads_a_reaction: bool,
     /// Names that were declared and cannot be: one message is enough for all of their uses.

@@ -27,7 +27,14 @@ impl Parser<'_> {
             (None, Some(_)) => {
                 let _ = self.expected::<()>("the statements of the mechanism in `{ }`");
                 let (statements, unread) = (Vec::new(), Unread::Everything);
-                return name.map(|name| Declaration { docs, visibility, name, statements, unread });
+                return name.map(|name| Declaration {
+                    docs,
+                    visibility,
+                    name,
+                    statements,
+                    unread,
+                    is_damaged: true,
+                });
             }
             (None, None) => return None,
         };
@@ -38,7 +45,8 @@ impl Parser<'_> {
             );
         }
         let unread = Unread::Words(std::mem::take(&mut self.aftermath.unread));
-        name.map(|name| Declaration { docs, visibility, name, statements, unread })
+        let is_damaged = self.aftermath.is_damaged;
+        name.map(|name| Declaration { docs, visibility, name, statements, unread, is_damaged })
     }
 
     /// Doc comments. Other attributes are refused: what they would apply to is generated.
@@ -147,7 +155,10 @@ impl Parser<'_> {
             self.start = self.next;
             self.asks = self.is_word(0, "output");
             self.aftermath.reads_a_reaction = false;
-            match self.statement() {
+            let (reported, moves) = (self.diagnostics.count(), self.moves());
+            let statement = self.statement();
+            self.aftermath.is_damaged |= moves && self.diagnostics.count() > reported;
+            match statement {
                 Ok(kind) => statements.push(Statement { docs, kind }),
                 Err(Reported) => {
                     self.skip_statement();
@@ -156,6 +167,13 @@ impl Parser<'_> {
             }
         }
         statements
+    }
+
+    /// True if the statement that begins here may be one by which the machine moves.
+    fn moves(&self) -> bool {
+        let word = self.peek_ident(0).map(ToString::to_string);
+        let opening = word.and_then(|word| opening(&word));
+        opening.is_none_or(|opening| opening.moves())
     }
 
     fn statement(&mut self) -> Parse<StatementKind> {
@@ -173,8 +191,12 @@ impl Parser<'_> {
         let word = keyword.to_string();
         if words::is_reserved(&word) && opening(&word).is_none() {
             let message = format!("`{word}` is reserved for a later statement");
-            let _ = match words::built_by(&word) {
-                Some(instead) => self.refuse_because::<()>(&message, instead),
+            let instead = match word.as_str() {
+                "damper" => self.spring_for_a_damper(),
+                _ => words::built_by(&word).map(str::to_string),
+            };
+            let _ = match instead {
+                Some(instead) => self.refuse_because::<()>(&message, &instead),
                 None => self.refuse(&message),
             };
             self.take();

@@ -18,7 +18,7 @@ const DRIVE: &str = "a drive is `drive AB.angle = theta;`, `drive BC.angle - AB.
 impl Parser<'_> {
     /// `pin B(80mm, 0), C(600mm, 360mm);`: read like points of the ground.
     pub(super) fn pins(&mut self) -> Parse<StatementKind> {
-        Ok(match self.ground()? {
+        Ok(match self.ground("pin")? {
             StatementKind::Ground(GroundStatement { points }) => {
                 StatementKind::Pin(PinStatement { points })
             }
@@ -52,12 +52,22 @@ impl Parser<'_> {
     }
 
     fn drawn_link(&mut self) -> Parse<DrawnLink> {
+        if let Some((name, pins)) = self.link_of_hyphens() {
+            return Ok(DrawnLink { name, pins, on: Vec::new() });
+        }
         let name = self.new_name("a link")?;
-        let Some(pins) = self.take_group(Delimiter::Parenthesis) else {
-            return self
-                .refuse_because(&format!("write the pins of `{name}`: `{name}(B, C)`"), LINK);
+        let mut pins = match self.take_group(Delimiter::Parenthesis) {
+            Some(pins) => self.pins_of_a_link(&pins)?,
+            None => match self.pins_behind_a_colon(&name) {
+                Some(pins) => pins,
+                None => {
+                    let message = format!("write the pins of `{name}`: `{name}(B, C)`");
+                    return self.refuse_because(&message, LINK);
+                }
+            },
         };
-        let pins = self.pins_of_a_link(&pins)?;
+        self.pin_behind_an_arrow(&name, &mut pins);
+        self.leave_out_mode();
         let mut on = Vec::new();
         if self.take_word("on") {
             on.push(self.name_of("a guide")?);
@@ -100,6 +110,9 @@ impl Parser<'_> {
                 input,
                 load: self.name_of("a load")?,
             }));
+        }
+        if let Some(drive) = self.drive_without_its_part() {
+            return drive.map(StatementKind::Drive);
         }
         let (link, member) = self.driven()?;
         let to = match self.take_punct('-') {

@@ -40,9 +40,11 @@
 //! stands in `anatomy`.
 
 mod action;
+mod action_slips;
 mod aftermath;
 pub(crate) mod anatomy;
 mod declaration;
+mod drawn_slips;
 pub(crate) mod expression;
 mod group;
 mod links;

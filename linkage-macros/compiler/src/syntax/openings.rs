@@ -19,6 +19,15 @@ pub(crate) struct Opening {
     pub acts: bool,
 }
 
+impl Opening {
+    /// True if the machine moves by such a statement: it is not about forces or results.
+    pub(super) fn moves(&self) -> bool {
+        const OTHERS: [&str; 7] =
+            ["output", "numerics", "crate", "export", "gravity", "load", "friction"];
+        !self.acts && !OTHERS.contains(&self.word)
+    }
+}
+
 /// The end of a statement.
 pub(super) enum Ending {
     Semicolon,
@@ -51,7 +60,7 @@ pub(crate) const OPENINGS: [Opening; 24] = [
     plain("input", |parser, _| parser.input(), is_typed),
     plain("param", |parser, _| parser.param(), is_typed),
     plain("let", |parser, _| parser.named_value(), is_named),
-    plain("ground", |parser, _| parser.ground(), is_called),
+    plain("ground", |parser, _| parser.ground("ground"), is_called),
     plain("guide", |parser, _| parser.guide(), has_two_words),
     plain("point", |parser, _| parser.point(), has_two_words),
     plain("output", |parser, _| parser.output(), is_named),

@@ -27,6 +27,11 @@ impl Parser<'_> {
             return "macros are not expanded in here; let a `macro_rules!` write all of `mechanism!`"
                 .to_string();
         }
+        if self.is_of_a_drawing()
+            && let Some(meant) = self.meant_in_a_drawing(word)
+        {
+            return meant;
+        }
         if let Some(meant) = words::meant_by(word) {
             return format!("what is meant may be `{meant}`");
         }

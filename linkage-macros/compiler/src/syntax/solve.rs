@@ -27,6 +27,9 @@ impl Parser<'_> {
             );
         }
         *kind = Some(self.word("`angle` or `length`")?);
+        if let Some(told) = self.interval_of_words(UNKNOWN) {
+            told?;
+        }
         if !self.take_word("between") {
             return self.expected_because("`between (…, …)`", UNKNOWN);
         }

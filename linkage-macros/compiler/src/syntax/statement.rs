@@ -121,7 +121,7 @@ impl Parser<'_> {
         Ok(StatementKind::Let(LetStatement { name, value }))
     }
 
-    pub(super) fn ground(&mut self) -> Parse<StatementKind> {
+    pub(super) fn ground(&mut self, word: &str) -> Parse<StatementKind> {
         let mut points = Vec::new();
         loop {
             let name = match self.new_name("a point") {
@@ -132,6 +132,16 @@ impl Parser<'_> {
                     break;
                 }
             };
+            if let Some(frame) = self.points_of_a_frame(word, &name) {
+                return self.inside(&frame).ground(word);
+            }
+            if self.coordinates_that_are_meant(word, &name) {
+                points.push((name.clone(), [mistake(&name), mistake(&name)]));
+                if self.take_punct(',') {
+                    continue;
+                }
+                break;
+            }
             if !self.is_group(0, Delimiter::Parenthesis) {
                 let _ = self.refuse::<()>(&format!("write `{name}(x, y)`"));
                 points.push((name.clone(), [mistake(&name), mistake(&name)]));
@@ -278,6 +288,12 @@ impl Parser<'_> {
                 "without `output` every moving point and link is computed",
             );
         }
+        if let (Some(name), true) = (self.peek_ident(0).cloned(), self.is_punct(1, ':')) {
+            self.take();
+            let value = self.as_written(1, is_end_of_item);
+            let reason = "the name of a number is the field of the result";
+            return self.refuse_because(&format!("write `{name} = {value}`"), reason);
+        }
         if self.peek_ident(0).is_none() || !self.is_punct(1, '=') {
             let value = self.expression()?;
             let renamed_at = self.is_word(0, "as").then(|| self.here());
@@ -351,6 +367,10 @@ impl Parser<'_> {
             }
         }
     }
+}
+
+fn is_end_of_item(tree: &TokenTree) -> bool {
+    matches!(tree, TokenTree::Punct(end) if [',', ';'].contains(&end.as_char()))
 }
 
 /// Stands for an expression of the statement `name` that was reported.

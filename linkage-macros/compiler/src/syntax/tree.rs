@@ -23,6 +23,8 @@ pub(crate) struct Declaration {
     pub name: Ident,
     pub statements: Vec<Statement>,
     pub unread: Unread,
+    /// True if a statement by which the machine moves was not read as it is written: what else moves waits.
+    pub is_damaged: bool,
 }
 
 /// The tokens that a mistake kept from being read. A name among them may have been declared or used

@@ -52,6 +52,15 @@ pub(super) fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<DrawnFrame>
     }
     if let Some(pin) = pins.iter().position(|is_known| !is_known) {
         let name = reader.pins[pin].name.clone();
+        let (lengths, angles) = match reader.pins[pin].on.map(|(_, place)| place) {
+            Some(PointPlace::Cartesian([x, y])) => (vec![x, y], vec![]),
+            Some(PointPlace::Polar([radius, angle])) => (vec![radius], vec![angle]),
+            Some(PointPlace::Distances([first, second], _)) => (vec![first, second], vec![]),
+            Some(PointPlace::Mistake) | None => (vec![], vec![]),
+        };
+        if reader.values.are_in_error(&lengths, &angles) {
+            return None;
+        }
         let message = format!("`{name}` has no place in the drawing");
         let reason = "its place on the link depends on an input, or on the point itself";
         reader.report(&name, message, reason.to_string());
@@ -77,6 +86,10 @@ fn report_line(reader: &mut Reader<'_, '_, '_>, guide: usize) {
     }
     let named = written_line(reader, guide).map(|(spot, course)| points_of(spot, course));
     if named.into_iter().flatten().flatten().any(|point| reader.pin(point).is_none()) {
+        return;
+    }
+    let along: Vec<_> = reader.guides[guide].along.into_iter().collect();
+    if reader.values.are_in_error(&[], &along) {
         return;
     }
     let name = reader.guides[guide].name.clone();

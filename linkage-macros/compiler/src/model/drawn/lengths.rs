@@ -3,9 +3,12 @@
 
 use crate::chain::redrawn::{Resized, redrawn};
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::Expr;
+use crate::syntax::tree::{Expr, ExprKind};
+use crate::syntax::words::UNITS;
 
+use crate::model::dimension::Dimension;
 use crate::model::drawn::bodies::Bodies;
+use crate::model::units::unit;
 
 /// The part of a drawn length by which a declared one may differ before it is taken for a slip.
 const A_THIRD: f64 = 1.0 / 3.0;
@@ -32,11 +35,15 @@ pub(super) fn pose_has_declared_lengths(
     let before = diagnostics.count();
     for Differing { bar, drawn, written } in &differing {
         if (bar.length - drawn).abs() > A_THIRD * drawn {
-            let [drawn, declared] = [*drawn, bar.length].map(in_words);
+            let (metres, [drawn, declared]) = (*drawn, [*drawn, bar.length].map(in_words));
             let link = bodies.name(bar.body);
-            let message = format!("{link} is drawn {drawn} long and declared {declared}: a unit?");
-            let reason =
-                "draw it about as long as it is; the pose says which way the machine assembles";
+            let meant = unit_that_is_meant(written, metres);
+            let doubt = if meant.is_some() { ": a unit?" } else { "" };
+            let message = format!("{link} is drawn {drawn} long and declared {declared}{doubt}");
+            let meant = meant.map_or(String::new(), |meant| format!("write `{meant}`, or "));
+            let reason = format!(
+                "{meant}draw it about as long as it is; the pose says which way the machine assembles"
+            );
             diagnostics.error_because(written.span, message, reason);
         }
     }
@@ -58,6 +65,19 @@ pub(super) fn pose_has_declared_lengths(
     bodies.machine = pose.machine;
     bodies.displacements = pose.displacements;
     Some(true)
+}
+
+/// The number with the unit by which it is about as long as drawn, where there is one.
+fn unit_that_is_meant(written: &Expr, drawn: f64) -> Option<String> {
+    let ExprKind::Number { digits, .. } = &written.kind else { return None };
+    let number: f64 = digits.parse().ok()?;
+    let units = UNITS.into_iter().filter_map(|name| Some((name, unit(name)?)));
+    let mut lengths = units.filter(|(_, (dimension, _))| *dimension == Dimension::LENGTH);
+    let name = lengths.find_map(|(name, (_, metres))| {
+        let off = number * metres.to_f64() - drawn;
+        (off.abs() <= A_THIRD * drawn).then_some(name)
+    })?;
+    Some(format!("{digits}{name}"))
 }
 
 fn differing<'t>(bodies: &Bodies<'t>) -> Vec<Differing<'t>> {

@@ -11,6 +11,7 @@ use crate::syntax::tree::{Declaration, DriveStatement, StatementKind};
 use crate::model::acting::RequestedEffort;
 use crate::model::as_written::text;
 use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn::loose;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
 
@@ -25,7 +26,7 @@ pub(super) fn report(bodies: &Bodies<'_>, trouble: &Trouble, diagnostics: &mut D
             too_many(bodies, (those, drives, *freedoms), diagnostics);
         }
         Trouble::Loose { bodies: those, freedoms } => {
-            loose(bodies, those, *freedoms, diagnostics);
+            loose::loose(bodies, those, *freedoms, diagnostics);
         }
         Trouble::Undecided { bodies: those } => undecided(bodies, those, diagnostics),
         Trouble::AtDeadPoint { bodies: those } => at_dead_point(bodies, those, diagnostics),
@@ -35,7 +36,7 @@ pub(super) fn report(bodies: &Bodies<'_>, trouble: &Trouble, diagnostics: &mut D
 }
 
 /// The bodies in words.
-fn named(bodies: &Bodies<'_>, those: &[usize]) -> String {
+pub(super) fn named(bodies: &Bodies<'_>, those: &[usize]) -> String {
     // The ground comes last.
     let (ground, links): (Vec<usize>, Vec<_>) = those.iter().partition(|&&body| body == GROUND);
     let names: Vec<_> = links.into_iter().chain(ground).map(|body| bodies.name(body)).collect();
@@ -43,7 +44,7 @@ fn named(bodies: &Bodies<'_>, those: &[usize]) -> String {
 }
 
 /// The last link of those, where a message stands.
-fn last_link<'b>(bodies: &'b Bodies<'_>, those: &[usize]) -> Option<&'b Ident> {
+pub(super) fn last_link<'b>(bodies: &'b Bodies<'_>, those: &[usize]) -> Option<&'b Ident> {
     those.iter().rev().find(|&&body| body != GROUND).map(|&body| bodies.link(body).name)
 }
 
@@ -145,37 +146,6 @@ fn parallel_bar(machine: &Machine, those: &[usize]) -> Option<usize> {
 /// Where the last of some drives stands.
 fn values_span(bodies: &Bodies<'_>, drives: &[usize]) -> Option<crate::diagnostics::Extent> {
     drives.last().map(|&drive| bodies.drives[drive].1.value.span)
-}
-
-fn loose(bodies: &Bodies<'_>, those: &[usize], freedoms: usize, diagnostics: &mut Diagnostics) {
-    let Some(link) = last_link(bodies, those) else { return };
-    let (still, them) =
-        if those.len() == 1 { ("still moves", "it") } else { ("still move", "one of them") };
-    let few = match freedoms {
-        1 => "one drive too few".to_string(),
-        _ => format!("{freedoms} drives too few"),
-    };
-    let message = format!("{} {still} when every input is held: {few}", named(bodies, those));
-    let reason = match those.iter().find_map(|&body| hanging(bodies, body)) {
-        Some((hanging, pin)) if those.len() > 1 => format!(
-            "`{hanging}` hangs on `{pin}` alone: let it slide, `link {hanging}({pin}) on GUIDE;`, pin it to another link, \
-             or drive it"
-        ),
-        _ => format!("drive {them}, `drive {link}.angle = …;`, or pin {them} to another link"),
-    };
-    diagnostics.error_because(link.span(), message, reason);
-}
-
-/// A link with one joint, which it turns about, and the pin.
-fn hanging<'b>(bodies: &'b Bodies<'_>, body: usize) -> Option<(&'b Ident, &'b Ident)> {
-    let machine = &bodies.machine;
-    let slides = machine.slides.iter().any(|slide| [slide.body, slide.carrier].contains(&body));
-    let is_driven = machine.drives.iter().any(|drive| drive.bodies.contains(&body));
-    let own = machine.bodies.get(body)?;
-    let mut joints = own.pins.iter().filter(|&&pin| machine.at(pin).count() > 1);
-    let (Some(&pin), None) = (joints.next(), joints.next()) else { return None };
-    let hangs = body != GROUND && !slides && !is_driven && own.pins.len() == 1;
-    hangs.then(|| (bodies.link(body).name, &bodies.pins[pin].name))
 }
 
 fn undecided(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {

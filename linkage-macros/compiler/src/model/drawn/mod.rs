@@ -9,6 +9,7 @@
 
 mod agreement;
 mod as_unknown;
+mod bare_links;
 mod bars;
 mod bent;
 mod bodies;
@@ -24,6 +25,7 @@ mod group_statement;
 mod held;
 mod incidences;
 mod lengths;
+mod loose;
 mod messages;
 mod modes;
 mod motions;
@@ -111,6 +113,10 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation> {
     let mut values = Measured::of(tree, diagnostics)?;
     let (mut reader, drives) = Reader::of(tree, &mut values)?;
+    if tree.is_damaged {
+        // What moves follows from all statements, and one was not understood.
+        return None;
+    }
     let frames = framing::written(&mut reader)?;
     let mut bodies = reader.machine(drives, frames)?;
     bodies.machine.motions = values.motions(&bodies);
@@ -136,6 +142,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         name: tree.name.clone(),
         statements,
         unread: tree.unread.clone(),
+        is_damaged: tree.is_damaged,
     };
     Some(Translation { tree: declaration, links, ends, holds_links, inputs })
 }

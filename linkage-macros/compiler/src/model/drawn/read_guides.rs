@@ -1,5 +1,7 @@
 //! Reads the guides of a drawing, and the links that slide on them.
 
+use proc_macro2::Ident;
+
 use crate::chain::machine::GROUND;
 use crate::syntax::tree::{Course, GuideAnchor, GuideStatement, StatementKind};
 
@@ -50,11 +52,17 @@ impl Reader<'_, '_, '_> {
                         let guide = &link.on[0];
                         self.report(guide, message, "a guide is on another body".to_string());
                     }
+                    Some(known) if self.links[index].on.contains(&known) => {
+                        let message = format!("`{guide}` is named twice; remove one");
+                        let reason = format!("`{}` slides on it once", link.name);
+                        self.report(guide, message, reason);
+                    }
                     Some(guide) => self.links[index].on.push(guide),
                     None if self.link_of.contains_key(&guide.to_string()) => {
                         let message = format!("`{guide}` is a link; a link slides on a guide");
+                        let [through, towards] = self.two_pins(guide);
                         let reason = format!(
-                            "declare the slot, `guide slot on {guide} through P towards Q;`, and write `on slot`"
+                            "declare the slot, `guide slot on {guide} through {through} towards {towards};`, and write `on slot`"
                         );
                         self.report(guide, message, reason);
                     }
@@ -68,6 +76,17 @@ impl Reader<'_, '_, '_> {
                     }
                 }
             }
+        }
+    }
+
+    /// Two pins of a link, in words where it has fewer.
+    fn two_pins(&self, link: &Ident) -> [String; 2] {
+        let pins = self.link_of.get(&link.to_string()).map(|&link| &self.links[link].pins[..]);
+        match pins {
+            Some(&[first, second, ..]) => {
+                [first, second].map(|pin| self.pins[pin].name.to_string())
+            }
+            _ => ["P", "Q"].map(str::to_string),
         }
     }
 }

@@ -7,13 +7,14 @@ use proc_macro2::Ident;
 use crate::chain::machine::GROUND;
 use crate::diagnostics::nearest;
 use crate::syntax::tree::{
-    Declaration, DrawnLink, DriveStatement, Expr, GroundStatement, GroupFieldValue, LinkStatement,
-    PinStatement, PointStatement, Statement, StatementKind,
+    Declaration, DrawnLink, DriveStatement, Expr, GroundStatement, GroupFieldValue, GroupStatement,
+    LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
 };
 
 use crate::model::begun;
 use crate::model::drawn::bodies::{GuideLine, LinkOutline, PinPlace};
 use crate::model::drawn::figures::Figure;
+use crate::model::drawn::loose;
 use crate::model::drawn::values::Measured;
 use crate::model::names::Kind;
 use crate::model::statements::declared_by;
@@ -65,6 +66,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         reader.read_guides();
         reader.guides_of_links();
         let drives = reader.read_drives();
+        reader.bars_have_lengths();
         (reader.values.scope.diagnostics.count() == before).then_some((reader, drives))
     }
 
@@ -171,6 +173,9 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                     let reason = format!("`{}` goes through it once", link.name);
                     self.report(pin, message, reason);
                 }
+                if link.pins.is_empty() && link.on.is_empty() {
+                    self.link_has_joints(&link.name);
+                }
                 let length = self.length_of(statement, link);
                 self.link_of.insert(link.name.to_string(), self.links.len());
                 self.links.push(LinkOutline {
@@ -206,10 +211,16 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         let field = fields.fields.iter().find(|field| field.name == "length")?;
         if links.len() > 1 || link.pins.len() != 2 {
             let message = "a length is that of one link with two pins".to_string();
-            let reason = format!(
-                "write it in a statement of its own: `link {}(…, …) {{ length: … }}`",
-                link.name
-            );
+            let reason = match link.pins.len() {
+                2 => {
+                    let (name, pins) = (&link.name, loose::listed_names(&link.pins));
+                    format!(
+                        "write it in a statement of its own: `link {name}({pins}) {{ length: … }}`"
+                    )
+                }
+                _ => "leave it out: the distances between the pins of this link are as drawn"
+                    .to_string(),
+            };
             self.report(&field.name, message, reason);
             return None;
         }
@@ -243,6 +254,9 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                 });
             }
             let StatementKind::Group(group) = &statement.kind else { continue };
+            if self.stands_on_a_drawing(group) {
+                continue;
+            }
             for leg in &group.legs {
                 let joint = leg.joint.iter();
                 let pins = joint.chain(&group.pin).chain(self.points_on(&leg.link));
@@ -260,6 +274,25 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                 });
             }
         }
+    }
+
+    /// True if a group that is declared follows the drawing: it stands on a pin that the drawing makes, and nothing of
+    /// the drawing stands on it.
+    fn stands_on_a_drawing(&self, group: &GroupStatement) -> bool {
+        let is_drawn = |joint: &Ident| self.pin_of.contains_key(&joint.to_string());
+        let is_made_by_hand = |joint: &Ident| {
+            self.tree.statements.iter().any(|statement| match &statement.kind {
+                StatementKind::Group(group) => group.pin.as_ref() == Some(joint),
+                StatementKind::Point(PointStatement { name, .. }) => name == joint,
+                StatementKind::Ground(GroundStatement { points }) => {
+                    points.iter().any(|(name, _)| name == joint)
+                }
+                _ => false,
+            })
+        };
+        let mut joints = group.legs.iter().filter_map(|leg| leg.joint.as_ref());
+        joints.any(|joint| is_drawn(joint) && !is_made_by_hand(joint))
+            && group.pin.as_ref().is_some_and(|pin| !is_drawn(pin))
     }
 
     /// The points that are declared on a link.
@@ -286,7 +319,15 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                 });
                 if !is_used {
                     let message = format!("no link goes through `{name}`");
-                    let reason = format!("name it among the pins of one: `link BC(B, {name});`");
+                    let outline =
+                        self.links.iter().rev().find(|link| !link.is_given && link.pins.len() > 1);
+                    let link = outline.map_or("BC(B".to_string(), |link| {
+                        let pins = link.pins.iter().map(|&pin| self.pins[pin].name.clone());
+                        format!("{}({}", link.name, loose::listed_names(&pins.collect::<Vec<_>>()))
+                    });
+                    let reason = format!(
+                        "name it among the pins of one, `link {link}, {name})`, or leave it out"
+                    );
                     self.report_missing(name, message, reason);
                 }
             }
@@ -330,6 +371,15 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         }
         if let Some(&link) = self.link_of.get(&name.to_string()) {
             return Some(link + 1);
+        }
+        if let Some(&pin) = self.pin_of.get(&name.to_string()) {
+            let through = loose::links_through(&self.links, pin);
+            let reason = match through.is_empty() {
+                true => "name a link that goes through it".to_string(),
+                false => format!("name a link: through `{name}` goes {through}"),
+            };
+            self.report(name, format!("`{name}` is a point, not a link"), reason);
+            return None;
         }
         let known: Vec<_> = self.links.iter().map(|link| link.name.to_string()).collect();
         let near = nearest(&name.to_string(), known.iter().map(|name| &name[..]));

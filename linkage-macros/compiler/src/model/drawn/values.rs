@@ -64,6 +64,7 @@ fn numbers_of(tree: &Declaration) -> Declaration {
         name: tree.name.clone(),
         statements,
         unread: crate::syntax::tree::Unread::Words(HashSet::new()),
+        is_damaged: false,
     }
 }
 
@@ -220,6 +221,14 @@ impl<'d> Measured<'d> {
         let resolved = self.quietly(|scope| expressions::quantity(scope, expr))?;
         resolved.links.is_empty().then_some(())?;
         value(&resolved.rest, self.mechanism(), inputs)
+    }
+
+    /// True if lengths or angles are in error by themselves, which is reported.
+    pub(super) fn are_in_error(&mut self, lengths: &[&Expr], angles: &[&Expr]) -> bool {
+        let before = self.scope.diagnostics.count();
+        lengths.iter().for_each(|length| drop(numbers::length(&mut self.scope, length)));
+        angles.iter().for_each(|angle| drop(numbers::plain_angle(&mut self.scope, angle)));
+        self.scope.diagnostics.count() > before
     }
 
     /// What the rules make of something, whose mistakes are reported later.

@@ -7,16 +7,13 @@ use crate::syntax::tree::{
     Action, Declaration, Expr, FrictionSite, FrictionStatement, StatementKind,
 };
 
-use crate::model::acting::{Contact, Friction, Magnitude};
+use crate::model::acting::{Contact, Friction};
 use crate::model::as_written::text;
-use crate::model::folding::shown;
-use crate::model::mechanism::{
-    Body, Carrier, Dimension, Drive, Length, LinkId, PartOf, PointId, Scalar,
-};
+use crate::model::mechanism::{Body, Carrier, Dimension, Drive, LinkId, PartOf, PointId};
 use crate::model::names::{Kind, listed};
 use crate::model::scope::Scope;
-use crate::model::statements::{Rules, acts, mass};
-use crate::model::{drawn_sliding, loads_in_forces, unknown_friction, uses};
+use crate::model::statements::{Rules, acts, friction_numbers, mass};
+use crate::model::{drawn_sliding, loads_in_forces, meant, unknown_friction, uses};
 
 /// The most joints that rub where a load drives an input.
 const MOST: usize = 8;
@@ -121,16 +118,12 @@ fn friction(scope: &mut Scope<'_>, written: &FrictionStatement) -> Option<Fricti
             (pair_at(scope, bodies, pin)?, format!("{}.{pin}", bodies[0]))
         }
     };
-    let what = "a coefficient of friction";
-    let value = acts::acting(scope, &written.coefficient, Dimension::NUMBER)?;
-    loads_in_forces::is_free_of_pull(scope, &written.coefficient, &value)?;
-    let span = written.coefficient.span;
     let name = format!("friction at {name}");
-    let coefficient = mass::not_below_zero(scope, value, span, what, name.clone())?;
+    let coefficient = friction_numbers::coefficient(scope, &written.coefficient, &name)?;
     let (radius, length, rate) = match contact {
         Contact::Pin { .. } => {
-            has_no(scope, &written.length, "a pin has a `radius` and no length")?;
-            let radius = radius(scope, written)?;
+            friction_numbers::has_no(scope, &written.length, "a pin has a `radius` and no length")?;
+            let radius = friction_numbers::radius(scope, written)?;
             let value = mass::not_negative(
                 scope,
                 radius,
@@ -142,56 +135,27 @@ fn friction(scope: &mut Scope<'_>, written: &FrictionStatement) -> Option<Fricti
         }
         Contact::Guide(_) => {
             let message = "what slides has no radius; leave it out";
-            has_no(scope, &written.radius, message)?;
+            friction_numbers::has_no(scope, &written.radius, message)?;
             let length = match &written.length {
-                Some(length) => Some(above_zero(scope, length, Dimension::LENGTH, "a length")?),
+                Some(length) => Some(friction_numbers::above_zero(
+                    scope,
+                    length,
+                    Dimension::LENGTH,
+                    "a length",
+                )?),
                 None => None,
             };
             (None, length, Dimension::LENGTH.times(Dimension::TIME, -1))
         }
     };
     let smooth = match &written.smooth {
-        Some(smooth) => Some(above_zero(scope, smooth, rate, "a rate to smooth by")?),
+        Some(smooth) => {
+            Some(friction_numbers::above_zero(scope, smooth, rate, "a rate to smooth by")?)
+        }
         None => None,
     };
     rubs(scope, contact, written.at)?;
     Some(Friction { contact, coefficient, radius, length, smooth })
-}
-
-fn radius<'t>(scope: &mut Scope<'_>, written: &'t FrictionStatement) -> Option<&'t Expr> {
-    if written.radius.is_none() {
-        let message = "a pin's friction needs its radius: `… radius 8mm`";
-        let reason = "the couple is coefficient × radius × load; of what slides, write `friction 0.1 on \
-                      ram`";
-        scope.diagnostics.error_because(written.at, message, reason);
-    }
-    written.radius.as_ref()
-}
-
-fn has_no(scope: &mut Scope<'_>, part: &Option<Expr>, message: &str) -> Option<()> {
-    let Some(part) = part else { return Some(()) };
-    let reason = "`length` is that of a block that touches its guide at both ends";
-    scope.diagnostics.error_because(part.span, message, reason);
-    None
-}
-
-/// A number of the machine that is divided by.
-fn above_zero(
-    scope: &mut Scope<'_>,
-    expr: &Expr,
-    measure: Dimension,
-    what: &str,
-) -> Option<Length> {
-    let name = format!("friction, {what}");
-    let Magnitude { value, name } = mass::not_negative(scope, expr, measure, what, name)?;
-    if let Scalar::Constant(constant) = &value
-        && constant.is_zero()
-    {
-        let message = format!("{what} of {}; make it greater than zero", shown(constant));
-        scope.diagnostics.error(expr.span, message);
-        return None;
-    }
-    Some(Length { value, name })
 }
 
 /// The two bodies move against each other.
@@ -227,12 +191,19 @@ fn slider(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
         scope.diagnostics.error_because(name.span(), message, reason);
         return None;
     }
+    if let Some(ram) = meant::slider_on(scope, name) {
+        let message = format!("`{name}` is a guide: write `on {ram}`");
+        scope.diagnostics.error_because(name.span(), message, "friction is on what slides there");
+        return None;
+    }
     let link = uses::link(scope, name)?;
     if scope.mechanism.links[link.index()].slides {
         return drawn_sliding::slides_by(scope, name, link).map(Contact::Guide);
     }
     let message = format!("`{name}` does not slide");
-    let reason = format!("at one of its pins friction is `friction 0.1 on {name} at P radius 8mm`");
+    let pin = meant::point_on(scope, link).unwrap_or("P".to_string());
+    let reason =
+        format!("at one of its pins friction is `friction 0.1 on {name} at {pin} radius 8mm`");
     scope.diagnostics.error_because(name.span(), message, reason);
     None
 }

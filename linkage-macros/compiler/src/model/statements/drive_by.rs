@@ -141,6 +141,12 @@ impl Group {
 }
 
 fn drive_by(scope: &mut Scope<'_>, input: &Ident, load: &Ident) {
+    let kinds = [input, load].map(|name| scope.names.kind(name));
+    if kinds == [Some(Kind::Load), Some(Kind::Input)] {
+        let message = format!("write `drive {load} by {input};`");
+        let reason = "an input is driven by a load, and stands in front";
+        return scope.diagnostics.error_because(input.span(), message, reason);
+    }
     let (driven, by) =
         (uses::usable(scope, input, &[Kind::Input]), uses::usable(scope, load, &[Kind::Load]));
     let is_first = scope.facts.driving.as_deref() == Some(&load.to_string())

@@ -202,6 +202,9 @@ fn outer_joints(
     group: &tree::GroupStatement,
     anatomy: &GroupSpec,
 ) -> Vec<Option<OuterJoint>> {
+    if legs_are_exchanged(scope, group, anatomy) {
+        return vec![None; group.legs.len()];
+    }
     let outer: Vec<_> = (group.legs.iter().zip(anatomy.joints))
         .map(|(leg, &joint)| joint_stands_on_its_kind(scope, leg.joint.as_ref()?, joint, anatomy))
         .collect();
@@ -210,6 +213,32 @@ fn outer_joints(
         [Some(_), Some(_)] => vec![None, None],
         _ => outer,
     }
+}
+
+/// Reports a dyad whose joints are written from its other end.
+fn legs_are_exchanged(
+    scope: &mut Scope<'_>,
+    group: &tree::GroupStatement,
+    anatomy: &GroupSpec,
+) -> bool {
+    let ([first, second], [JointRule::Revolute(_), JointRule::Prismatic(_)]) =
+        (&group.legs[..], anatomy.joints)
+    else {
+        return false;
+    };
+    let (Some(guide), Some(point)) = (&first.joint, &second.joint) else { return false };
+    let kinds = [guide, point].map(|joint| scope.names.kind(joint));
+    if kinds != [Some(Kind::Guide), Some(Kind::Point)] {
+        return false;
+    }
+    let (keyword, pin) = (anatomy.keyword, group.pin.as_ref());
+    let pin = pin.map_or(String::new(), |pin| format!(" -> {pin}"));
+    let message =
+        format!("write `{keyword} {}({point}), {}({guide}){pin}`", second.link, first.link);
+    let what = if anatomy.has_length() { "bar" } else { "pinned block" };
+    let reason = format!("the {what} comes first, and then what slides on a guide");
+    scope.diagnostics.error_because(first.link.span(), message, reason);
+    true
 }
 
 /// A revolute joint stands on a point, a prismatic joint on a guide.

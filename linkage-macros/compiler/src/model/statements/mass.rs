@@ -15,7 +15,7 @@ use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, Point
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
 use crate::model::statements::{Rules, acts, guides};
-use crate::model::{numbers, on_drawn_links, uses};
+use crate::model::{meant, numbers, on_drawn_links, uses};
 
 impl Rules for MassStatement {
     fn builds_on(&self) -> Vec<&Ident> {
@@ -213,9 +213,12 @@ fn mass_place(scope: &mut Scope<'_>, on: &Ident, place: &Written) -> Option<Mass
 /// A mass without a place is a point mass on a pin or a driven point, or on a point of a link.
 fn point_mass(scope: &mut Scope<'_>, on: &Ident) -> Option<MassPlace> {
     if scope.names.kind(on) == Some(Kind::Link) {
-        uses::link(scope, on)?;
+        let link = uses::link(scope, on)?;
         let message = format!("say where on `{on}` the mass is");
-        let reason = format!("`… on {on} at (x, y)`, `… on {on} at G` or `… on {on} uniform`");
+        let is_bar = bar_as_written(scope, on, link);
+        let point = meant::point_on(scope, link).unwrap_or("G".to_string());
+        let uniform = if is_bar { format!("`… on {on} uniform`, ") } else { String::new() };
+        let reason = format!("{uniform}`… on {on} at {point}` or `… on {on} at (x, y)`");
         scope.diagnostics.error_because(on.span(), message, reason);
         return None;
     }
@@ -229,6 +232,14 @@ fn point_mass(scope: &mut Scope<'_>, on: &Ident) -> Option<MassPlace> {
         Body::Link(link) => Some(MassPlace::Point(link, point)),
         Body::Pin(point) => Some(MassPlace::Pin(point)),
     }
+}
+
+/// True if mass can be spread evenly over the link.
+fn bar_as_written(scope: &Scope<'_>, name: &Ident, link: LinkId) -> bool {
+    let facts = &scope.facts.links[link.index()];
+    let moves = |length: &Scalar| scope.mechanism.moves(length);
+    let is_bar = facts.is_bar && !facts.length.as_ref().is_some_and(moves);
+    is_bar || on_drawn_links::bar_as_drawn(scope, name).is_some()
 }
 
 /// A place by name is a point of the link.

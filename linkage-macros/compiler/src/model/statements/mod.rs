@@ -9,6 +9,7 @@ pub(super) mod contacts;
 pub(super) mod drive_by;
 pub(super) mod dyads;
 pub(super) mod force;
+mod friction_numbers;
 pub(super) mod gravity;
 pub(super) mod ground;
 pub(super) mod guides;

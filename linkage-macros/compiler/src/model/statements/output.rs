@@ -294,6 +294,16 @@ fn member_exists(scope: &mut Scope<'_>, owner: &Ident, member: &Ident) {
             format!("rates need no output of their own; write `output {owner}.angle`"),
             format!("`velocity` gives `{owner}.omega` and `motion` also `{owner}.alpha`"),
         ),
+        "velocity" | "speed" | "rate" => {
+            let slides = readings::slides(scope, owner);
+            let moving = if slides { "slide" } else { "angle" };
+            (
+                format!("rates need no output of their own; write `output {owner}.{moving}`"),
+                format!(
+                    "`velocity` gives its rate; a number is `output v = rate({owner}.{moving})`"
+                ),
+            )
+        }
         "x" | "y" => (
             format!("`{owner}` is a link and has no `{part}`; name a point"),
             format!("a point of it is declared `point P on {owner} at (x, y);`"),

@@ -144,7 +144,8 @@ fn ends_of_stop(
         && !from.cmp_value(to).is_lt()
     {
         let message = "the second end of a stop lies above the first";
-        let reason = "the motion is free between them: `between (20deg, 110deg)`";
+        let [low, high] = [&written[1], &written[0]].map(text);
+        let reason = format!("the motion is free between them: `between ({low}, {high})`");
         scope.diagnostics.error_because(written[1].span, message, reason);
         return None;
     }

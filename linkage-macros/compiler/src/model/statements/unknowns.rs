@@ -9,7 +9,7 @@ use crate::exact::Exact;
 use crate::reach::turn::Range;
 use crate::syntax::tree::{Declaration, Expr, UnknownStatement};
 
-use crate::model::as_written::{self, pair};
+use crate::model::as_written::{self, pair, text};
 use crate::model::folding::shown_in_degrees;
 use crate::model::kinds::{KINDS, quantity_kind};
 use crate::model::mechanism::{
@@ -113,7 +113,8 @@ fn ends(
     let (Some(low), Some(high)) = (declared(scope, &from), declared(scope, &to)) else {
         return Some([from, to]);
     };
-    let reason = "the lower end comes first, as in `between (10deg, 170deg)`";
+    let [first, second] = [&written[1], &written[0]].map(text);
+    let reason = format!("the lower end comes first, as in `between ({first}, {second})`");
     if !low.cmp_value(&high).is_lt() {
         let message = format!("the ends of `{name}` are not in order; write the lower one first");
         scope.diagnostics.error_because(written[1].span, message, reason);

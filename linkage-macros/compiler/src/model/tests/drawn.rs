@@ -17,7 +17,8 @@ fn counts_that_do_not_fit_name_bodies_and_drives() {
         (
             BARS,
             "output AB;",
-            "before DC: `AB`, `BC` and `DC` still move when every input is held: one drive too few / drive one of them, `drive DC.angle = …;`, or pin one of them to another link",
+            "before AB: `AB`, `BC` and `DC` still move when every input is held: one drive too few / \
+             drive one of them, `drive AB.angle = t;`, or pin one of them to another link",
         ),
         (
             BARS,
@@ -53,7 +54,9 @@ fn names_of_a_drawing_are_given_once_and_exist() {
         (
             FOUR_BAR,
             "pin X(5m, 5m); link tail(C, Y);",
-            "Y: no pin named `Y` / say where it is drawn: `pin Y(…, …);`\nX: no link goes through `X` / name it among the pins of one: `link BC(B, X);`",
+            "Y: no pin named `Y` / say where it is drawn: `pin Y(…, …);`\n\
+             X: no link goes through `X` / name it among the pins of one, `link DC(D, C, X)`, or \
+             leave it out",
         ),
         (
             FOUR_BAR,
@@ -79,7 +82,8 @@ fn names_of_a_drawing_are_given_once_and_exist() {
         (
             FOUR_BAR,
             "pin E(1m, 0);",
-            "E: no link goes through `E` / name it among the pins of one: `link BC(B, E);`",
+            "E: no link goes through `E` / name it among the pins of one, `link DC(D, C, E)`, or \
+             leave it out",
         ),
     ]);
 }
@@ -118,11 +122,7 @@ fn places_of_pins_are_those_of_points_that_stand_still() {
             "pin E(t, 0);",
             "t: `E` is drawn in one pose; its place there cannot depend on an input / the input drives a link, `drive LINK.angle = …;`, and the pins move with it",
         ),
-        (
-            FOUR_BAR,
-            "pin E(3deg, 0);",
-            "3deg: an angle where a length belongs / an angle times a length is a length, as in `theta * 20mm`",
-        ),
+        (FOUR_BAR, "pin E(3deg, 0);", "3deg: an angle where a length belongs / write `3mm`"),
         (
             FOUR_BAR,
             "pin E(x, 0);",
@@ -270,7 +270,10 @@ fn a_length_is_that_of_one_bar() {
         (
             "input t: angle; ground A(0, 0); pin B(1m, 0); link AB(A, B), AC(A, B) { length: 2m } drive AB.angle = t;",
             "",
-            "length: a length is that of one link with two pins / write it in a statement of its own: `link AB(…, …) { length: … }`\nlength: a length is that of one link with two pins / write it in a statement of its own: `link AC(…, …) { length: … }`",
+            "length: a length is that of one link with two pins / write it in a statement of its \
+             own: `link AB(A, B) { length: … }`\n\
+             length: a length is that of one link with two pins / write it in a statement of its \
+             own: `link AC(A, B) { length: … }`",
         ),
     ]);
 }
@@ -299,9 +302,7 @@ fn slips_in_a_machine_with_a_slot_and_a_cylinder() {
         (
             "roller(R) on slot",
             "roller(R)",
-            &format!(
-                "{loose} / `roller` hangs on `R` alone: let it slide, `link roller(R) on GUIDE;`, pin it to another link, or drive it"
-            ),
+            "roller: `roller` hangs on `R` alone, and turns about it / let it slide, `link roller(R) on slot;`, give it another pin, or drive it: `drive roller.angle = …;`",
         ),
         (
             "tray(O, T, K)",
@@ -313,7 +314,7 @@ fn slips_in_a_machine_with_a_slot_and_a_cylinder() {
         (
             "on slot;",
             "on tray;",
-            "tray#3: `tray` is a link; a link slides on a guide / declare the slot, `guide slot on tray through P towards Q;`, and write `on slot`",
+            "tray#3: `tray` is a link; a link slides on a guide / declare the slot, `guide slot on tray through O towards T;`, and write `on slot`",
         ),
         (
             "towards T",
@@ -355,11 +356,12 @@ fn a_length_that_is_not_drawn() {
         ("2.3m", ""),
         (
             "3.19mm",
-            "3.19mm: `BC` is drawn 3.191 m long and declared 3.19 mm: a unit? / draw it about as long as it is; the pose says which way the machine assembles",
+            "3.19mm: `BC` is drawn 3.191 m long and declared 3.19 mm: a unit? / write `3.19m`, or \
+             draw it about as long as it is; the pose says which way the machine assembles",
         ),
         (
             "4.26m",
-            "4.26m: `BC` is drawn 3.191 m long and declared 4.26 m: a unit? / draw it about as long as it is; the pose says which way the machine assembles",
+            "4.26m: `BC` is drawn 3.191 m long and declared 4.26 m / draw it about as long as it is; the pose says which way the machine assembles",
         ),
     ];
     for (length, told) in cases {

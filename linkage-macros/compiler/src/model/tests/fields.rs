@@ -72,8 +72,7 @@ fn a_field_has_one_value_or_two() {
             GUIDE,
             "guide up through (0, 0) along 90deg; prp p(rail), q(up) -> X { offsets: (1mm, \
              2deg) }",
-            "2deg: an angle where a length belongs / an angle times a length is a length, as in \
-             `theta * 20mm`",
+            "2deg: an angle where a length belongs / write `2mm`",
         ),
     ]);
 }

@@ -75,7 +75,7 @@ fn friction_names_one_joint() {
         (
             SIX_BAR,
             "force (1N, 0) on E; friction 0.1 on BC;",
-            &format!("BC: `BC` does not slide / {WRITTEN} BC at P radius 8mm`"),
+            &format!("BC: `BC` does not slide / {WRITTEN} BC at B radius 8mm`"),
         ),
         (
             SIX_BAR,

@@ -74,8 +74,7 @@ fn a_kind_is_a_word_and_no_unit() {
         (
             CRANK,
             "param l: length = 30deg;",
-            "30deg: an angle where a length belongs / an angle times a length is a length, as in \
-             `theta * 20mm`",
+            "30deg: an angle where a length belongs / write `30mm`",
         ),
     ]);
 }

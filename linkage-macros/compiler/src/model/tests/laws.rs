@@ -14,7 +14,9 @@ fn laws_stand_in_forces_and_torques() {
     ] {
         check(&[(CRANK, statements, "")]);
     }
-    check(&[(SIX_BAR, "let v = rate(block.slide); friction 0.1 * (1 - v / 9(m/s)) on block;", "")]);
+    let of_a_rate =
+        "mass 1kg on E; let v = rate(block.slide); friction 0.1 * (1 - v / 9(m/s)) on block;";
+    check(&[(SIX_BAR, of_a_rate, "")]);
 }
 
 #[test]

@@ -31,6 +31,7 @@ mod unknowns;
 use super::mechanism::Mechanism;
 use super::resolve;
 use crate::diagnostics::{Diagnostics, told};
+use crate::mistakes::proposals_are_read;
 use crate::syntax::parse;
 
 // Statements that a row may build on.
@@ -72,9 +73,15 @@ fn resolved_on(base: &str, statements: &str) -> (Option<Mechanism>, String) {
 /// Compares the mistakes of each row: what its statements build on, the statements, and the
 /// mistakes, none where the row is legal.
 fn check(rows: &[(&str, &str, &str)]) {
+    let mut other = String::new();
     for (base, statements, expected) in rows {
         let (mechanism, found) = resolved_on(base, statements);
-        assert!(found == *expected, "{statements}\nexpected:\n{expected}\nfound:\n{found}");
+        proposals_are_read(&found);
+        if found != *expected {
+            other += &format!("{statements}\nexpected:\n{expected}\nfound:\n{found}\n\n");
+            continue;
+        }
         assert_eq!(mechanism.is_some(), expected.is_empty(), "{statements}");
     }
+    assert!(other.is_empty(), "{other}");
 }

@@ -180,10 +180,8 @@ fn a_mechanism_has_inputs_and_uses_them() {
             "input t: angle; input s: length; ground A(0, 0); crank AB(A) -> B { length: 1m, \
              angle: t } rrr BC(B), DC(Dd) -> C { lengths: (2m, 3m) }",
             "Dd: no point named `Dd` / declared so far: `A`, `B`\n\
-             }#2: missing field `mode` / `left` or `right`: the side of `C` seen from `B` looking \
-             to `Dd`\n\
-             s: nothing uses the input `s`; use it or remove it / a driver takes it: `slider \
-             ram(rail) { slide: s }`",
+             }#2: missing field `mode` / `left` or `right`: the side of `C` seen from `B` looking to \
+             `Dd`",
         ),
     ]);
 }

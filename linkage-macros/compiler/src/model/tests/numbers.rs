@@ -112,8 +112,7 @@ fn a_name_taken_for_a_unit_is_told() {
             SLIDE,
             "slider ram(rail) { slide: 2s }",
             "2s: a time where a length belongs / letters directly behind a number are its unit; \
-             write `2 * s`\nbefore s: nothing uses the input `s`; use it or remove it / a driver takes \
-             it: `slider ram(rail) { slide: s }`",
+             write `2 * s`",
         ),
         (
             SLIDE,

@@ -55,8 +55,7 @@ fn a_guide_goes_through_points_of_its_body() {
         (
             CRANK,
             "guide g through A along 20mm;",
-            "20mm: a length where an angle belongs / a length divided by a length is a number, \
-             and so an angle: `s / 20mm`",
+            "20mm: a length where an angle belongs / write `20deg`",
         ),
         (CRANK, "guide g through A along AB.angle + t;", ""),
         (CRANK, "guide g on ground through A along t;", ""),
@@ -121,10 +120,8 @@ fn a_point_has_a_place_on_its_link() {
         (
             CRANK,
             "point P on AB at polar (2deg, 30m);",
-            "2deg: an angle where a length belongs / an angle times a length is a length, as in \
-             `theta * 20mm`\n\
-             30m: a length where an angle belongs / a length divided by a length is a number, \
-             and so an angle: `s / 20mm`",
+            "2deg: an angle where a length belongs / write `2mm`\n\
+             30m: a length where an angle belongs / write `30deg`",
         ),
         (CRANK, "point P at (t * 1m, 0);", ""),
         (

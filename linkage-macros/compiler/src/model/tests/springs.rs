@@ -72,13 +72,13 @@ fn a_spring_is_the_machines_own() {
         ("damping: -3", "-3: a damping of -3; make it zero or greater".to_string()),
         (
             "stiffness: 2N, free_length: 0",
-            "2N: a force where a force over a length (N/m) belongs / multiply or divide by what is missing"
+            "2N: a force where a force over a length (N/m) belongs / write `2(N/m)`"
                 .to_string(),
         ),
         (
             "damping: 2(N/m)",
-            "2(N/m): a force over a length (N/m) where a force over a speed (N*s/m) belongs / multiply or divide \
-             by what is missing"
+            "2(N/m): a force over a length (N/m) where a force over a speed (N*s/m) belongs / write \
+             `2(N*s/m)`"
                 .to_string(),
         ),
     ];

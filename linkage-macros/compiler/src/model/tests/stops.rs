@@ -22,8 +22,7 @@ fn a_stop_pushes_on_links_or_points() {
 
 #[test]
 fn the_ends_of_a_stop_are_fixed_and_in_order() {
-    const METRES: &str = "a length where an angle belongs / a length divided by a length is a number, and so \
-                          an angle: `s / 20mm`";
+    const METRES: &str = "a length where an angle belongs / write";
     check(&[
         (
             SIX_BAR,
@@ -34,14 +33,14 @@ fn the_ends_of_a_stop_are_fixed_and_in_order() {
             SIX_BAR,
             "stop block.slide between (0.3m, 0.2m) { stiffness: 5(N/m) }",
             "0.2m: the second end of a stop lies above the first / the motion is free between them: \
-             `between (20deg, 110deg)`",
+             `between (0.2m, 0.3m)`",
         ),
         (
             SIX_BAR,
             "stop BC.angle between (0.2m, 0.3m) { stiffness: 5(N/m) }",
             &format!(
-                "0.2m: {METRES}\n0.3m: {METRES}\n5(N/m): a force over a length (N/m) where a torque \
-                 belongs / multiply or divide by what is missing"
+                "0.2m: {METRES} `0.2deg`\n0.3m: {METRES} `0.3deg`\n5(N/m): a force over a length (N/m) where a torque \
+                 belongs / write `5(N*m)`"
             ),
         ),
     ]);

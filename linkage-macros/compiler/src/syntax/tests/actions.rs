@@ -72,7 +72,7 @@ fn statements_about_forces_that_do_not_parse() {
         ),
         (
             "force (0, f) on jaw at (1m, 0);",
-            "at: declare a point here: `point P on jaw at (x, y);` / a force acts on a point, by its \
+            "at: declare a point: `point P on LINK at (1m, 0);` / a force acts on a point, by its \
              name: `… on P`"
                 .to_string(),
         ),

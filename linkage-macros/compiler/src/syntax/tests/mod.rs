@@ -21,6 +21,7 @@ use std::ops::Range;
 use super::parse;
 use super::tree::*;
 use crate::diagnostics::{Diagnostics, told};
+use crate::mistakes::proposals_are_read;
 
 /// The mistakes of a source text, as `told` writes them.
 fn mistakes(source: &str) -> String {
@@ -48,10 +49,15 @@ fn parsed_row(source: &str, row: Range<usize>) -> (Option<String>, String) {
 
 /// Compares the mistakes of each source text; the rows are `(source, mistakes)`.
 fn check(rows: &[(&str, &str)], mistakes: impl Fn(&str) -> String) {
+    let mut other = String::new();
     for (source, expected) in rows {
         let found = mistakes(source);
-        assert!(found == *expected, "{source}\nexpected:\n{expected}\nfound:\n{found}");
+        proposals_are_read(&found);
+        if found != *expected {
+            other += &format!("{source}\nexpected:\n{expected}\nfound:\n{found}\n\n");
+        }
     }
+    assert!(other.is_empty(), "{other}");
 }
 
 fn check_statements(rows: &[(&str, &str)]) {

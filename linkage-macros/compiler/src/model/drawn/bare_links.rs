@@ -1,0 +1,47 @@
+//! Checks that links go through pins, and that the two pins of a bar are drawn apart.
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree::{GuideStatement, PointStatement, StatementKind};
+
+use crate::model::drawn::loose;
+use crate::model::drawn::reader::Reader;
+
+impl Reader<'_, '_, '_> {
+    /// Reports a link that goes through no pin, and carries none and no guide.
+    pub(super) fn link_has_joints(&mut self, link: &Ident) {
+        let carries = self.tree.statements.iter().any(|statement| match &statement.kind {
+            StatementKind::Guide(GuideStatement { on, .. })
+            | StatementKind::Point(PointStatement { on, .. }) => on.as_ref() == Some(link),
+            _ => false,
+        });
+        if carries {
+            return;
+        }
+        let named = loose::pins_in_the_name(&self.pins, link);
+        let pins = named.map_or("P, Q".to_string(), |pins| loose::listed_names(&pins));
+        let message = format!("`{link}` goes through no pin");
+        self.report(link, message, format!("name those that it joins: `link {link}({pins})`"));
+    }
+
+    /// Reports bars whose two pins are drawn at one place, at the pin that was drawn last.
+    pub(super) fn bars_have_lengths(&mut self) {
+        let mut told = Vec::new();
+        for link in self.links.iter().filter(|link| !link.is_given) {
+            let &[first, second] = &link.pins[..] else { continue };
+            let [p, q] = [first, second].map(|pin| &self.pins[pin]);
+            let is_declared_elsewhere = p.on.is_some() || q.on.is_some();
+            let are_apart = (0..2).any(|axis| p.at[axis].value != q.at[axis].value);
+            if first != second && !are_apart && !is_declared_elsewhere {
+                told.push((first.max(second), first.min(second), link.name.clone()));
+            }
+        }
+        for (last, other, link) in told {
+            let [last, other] = [last, other].map(|pin| self.pins[pin].name.clone());
+            let message =
+                format!("`{last}` is drawn where `{other}` is, and `{link}` has no length");
+            let reason = "draw the two pins about as far apart as the link is long";
+            self.report(&last, message, reason.to_string());
+        }
+    }
+}
