@@ -85,6 +85,30 @@ conditions! {
         note = "declare what has mass, and ask: `mass 2kg on BC uniform;`, `output energy;`"
     )]
     HasEnergy
+
+    /// One input moves joints with friction.
+    #[diagnostic::on_unimplemented(
+        message = "this mechanism has no `holding`: it gives the drives of one input between which friction holds",
+        label = "there are several inputs, or no friction",
+        note = "declare `friction 0.1 at C radius 8mm;`; of several inputs, `statics` takes a creep for each"
+    )]
+    HoldsOneInput
+
+    /// Accelerations by themselves.
+    #[diagnostic::on_unimplemented(
+        message = "there is no `acceleration`: `motion` gives it, with position and velocity",
+        label = "write `motion` in place of `acceleration`",
+        note = "as in `solver.motion(q, rate, second_rate)?.acceleration`"
+    )]
+    GivesAccelerationsAlone
+
+    /// A tracker follows motions; the solver that it holds knows forces.
+    #[diagnostic::on_unimplemented(
+        message = "a tracker has no forces; ask its solver, on the branch that it follows",
+        label = "write `follow` in place of this",
+        note = "as in `tracker.follow(q, rate, |solver, q| solver.forces(q, rate, second_rate))`"
+    )]
+    FollowsForces
 }
 
 #[cfg(not(feature = "ad"))]
@@ -123,14 +147,14 @@ conditions! {
 /// Methods that no solver has, each under a condition. Editors offer none of them: what is hidden in
 /// the documentation of another crate is hidden in completions.
 macro_rules! absent {
-    ($($(#[$attribute:meta])* $method:ident($($given:ident),*): $condition:ident;)*) => {$(
+    ($($(#[$attribute:meta])* $seen:vis $method:ident($($given:ident),*): $condition:ident;)*) => {$(
         $(#[$attribute])*
         #[doc(hidden)]
-        fn $method<$($given),*>(&self, $(_: $given),*) -> Self::Answer
+        $seen fn $method<$($given),*>(&self, $(_: $given),*) -> <Self as $condition>::Answer
         where
             Self: $condition,
         {
-            self.answer()
+            <Self as $condition>::answer(self)
         }
     )*};
 }
@@ -152,6 +176,8 @@ macro_rules! of_what_may_be_absent {
                 equations_of_motion(Q, V $(, $loads)?): MovesMasses;
                 state_rates(S, D $(, $loads)?): MovesMasses;
                 energy(Q, V): HasEnergy;
+                holding(Q $(, $loads)?): HoldsOneInput;
+                acceleration(Q, V, A): GivesAccelerationsAlone;
                 #[cfg(feature = "ad")]
                 sensitivity(Q): HasParameters;
                 #[cfg(not(feature = "ad"))]
@@ -179,4 +205,15 @@ of_what_may_be_absent! {
 of_what_may_be_absent! {
     /// The same of a solver with loads, whose calls about forces take one argument more.
     AbsentUnderLoads, L
+}
+
+/// Calls of a tracker that are those of its solver.
+impl<M: crate::private::Solver> crate::Tracker<M> {
+    absent! {
+        pub forces(Q, V, A): FollowsForces;
+        pub statics(Q): FollowsForces;
+        pub forward_dynamics(Q, V, D): FollowsForces;
+        pub state_rates(S, D): FollowsForces;
+        pub energy(Q, V): FollowsForces;
+    }
 }

@@ -13,6 +13,7 @@ mod drawn_inputs;
 mod eight_bars;
 mod files;
 mod following;
+mod found_groups;
 mod guides_through_pins;
 mod held_plates;
 mod hidden_names;

@@ -90,7 +90,7 @@ pub(super) fn solver(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStrea
     let costs = costs
         .map(|(entry, cost)| format!("`{}`: {}", entry.name(), costs_in_words::in_words(*cost)));
     page += &section("Cost of one call", costs.collect());
-    after(&mechanism.docs, &page)
+    after(&mechanism.all_docs(), &page)
 }
 
 pub(super) fn param(mechanism: &Mechanism, param: &Param) -> TokenStream {

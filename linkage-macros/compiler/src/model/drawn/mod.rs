@@ -43,6 +43,7 @@ mod written;
 
 use crate::model::drawn_links::DrawnLinks;
 use proc_macro2::Ident;
+use syn::Attribute;
 
 use crate::chain;
 use crate::chain::cutting::Found;
@@ -60,6 +61,8 @@ use values::Measured;
 /// The declaration of the groups of a drawing.
 struct Translation {
     tree: Declaration,
+    /// The groups as documentation of the struct.
+    found: Vec<Attribute>,
     links: DrawnLinks,
     ends: Vec<RodEnd>,
     /// True if drives hold links together.
@@ -88,6 +91,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.links)?;
     mechanism.references = References::of(tree);
     mechanism.drawn = cut.inputs;
+    mechanism.found = cut.found;
     if cut.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
         messages::report_held_reactions(tree, &mechanism, diagnostics);
@@ -131,20 +135,19 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     writer.fixed_links();
     steps.iter().for_each(|step| writer.step(step));
     let translated = writer.declaration();
-    let mut docs = tree.docs.clone();
-    docs.extend(printed::documentation(tree, &translated));
+    let found = printed::documentation(tree, &translated);
     let writer::Translated { statements, links, ends, holds_links, misplaced, .. } = translated;
     placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
     placed::report_distances_apart(&bodies, &links.bars, values.scope.diagnostics)?;
     let declaration = Declaration {
-        docs,
+        docs: tree.docs.clone(),
         visibility: tree.visibility.clone(),
         name: tree.name.clone(),
         statements,
         unread: tree.unread.clone(),
         is_damaged: tree.is_damaged,
     };
-    Some(Translation { tree: declaration, links, ends, holds_links, inputs })
+    Some(Translation { tree: declaration, found, links, ends, holds_links, inputs })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.

@@ -13,7 +13,7 @@ use crate::model::mechanism::{Body, Carrier, Dimension, Drive, LinkId, PartOf, P
 use crate::model::names::{Kind, listed};
 use crate::model::scope::Scope;
 use crate::model::statements::{Rules, acts, friction_numbers, mass};
-use crate::model::{drawn_sliding, loads_in_forces, meant, unknown_friction, uses};
+use crate::model::{drawn_sliding, meant, unknown_friction, uses};
 
 /// The most joints that rub where a load drives an input.
 const MOST: usize = 8;

@@ -1,0 +1,23 @@
+//! The groups that are found in a drawing: a part of the struct's documentation, and of no picture or page.
+
+use crate::pipeline::{Options, compile};
+
+const DRAWN: &str = "/// A crank and a rocker.
+    pub struct M { input t: angle; ground A(0, 0), D(4m, 0); pin B(0.5m, 0.9m), C(3.2m, 2.6m);
+    link AB(A, B), BC(B, C), DC(D, C); drive AB.angle = t; }";
+
+/// The tokens of a machine, with its picture and its page.
+fn expanded(source: &str) -> String {
+    let output = compile(source.parse().expect("these are tokens"), &Options::PAGE);
+    assert!(output.diagnostics.is_empty(), "{:?}", output.diagnostics);
+    output.tokens.to_string()
+}
+
+#[test]
+fn a_picture_has_the_words_of_the_author_alone() {
+    let code = expanded(DRAWN);
+    assert_eq!(code.matches("Groups found in the drawing").count(), 1, "they are documentation");
+    assert!(code.contains("docs : \"A crank and a rocker.\""), "the plan has the author's words");
+    let unsaid = expanded(&DRAWN.replace("/// A crank and a rocker.", ""));
+    assert!(unsaid.contains("docs : \"\""), "nobody has said anything");
+}
