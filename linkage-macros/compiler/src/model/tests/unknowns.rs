@@ -152,9 +152,6 @@ fn what_stands_behind_the_equation_limits_no_end() {
     check(&[("", machine, "")]);
 }
 
-const UNUSED: &str = "nothing uses the input `x`; use it or remove it / a driver takes it: `slider \
-                      ram(rail) { slide: x }`";
-
 #[test]
 fn an_equation_moves_and_has_sides_of_one_kind() {
     let reason = "what stands between `unknown theta` and `solve theta` moves with it, as far as it \
