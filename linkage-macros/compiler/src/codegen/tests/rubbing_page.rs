@@ -33,6 +33,7 @@ fn a_script_lists_the_equations_of_friction() {
     assert!(output.diagnostics.is_empty(), "{:?}", output.diagnostics);
     let code = output.tokens.to_string();
     let (calls, of_both) = ("amountsOf(c, [", "]], 2, [\\\"BC.B\\\", \\\"ram\\\"], [");
-    assert_eq!(code.matches(calls).count(), 3, "forces, and both ends of holding");
-    assert_eq!(code.matches(of_both).count(), 3);
+    let asked = "forces, both ends of holding, and a motion by itself under either sign of friction at rest";
+    assert_eq!(code.matches(calls).count(), 6, "{asked}");
+    assert_eq!(code.matches(of_both).count(), 6);
 }
