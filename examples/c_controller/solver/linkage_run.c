@@ -15,8 +15,16 @@
 
 LinkageWhy linkage_why(int is_single)
 {
-    LinkageWhy why = { LINKAGE_OK, 0, 0.0, NULL, NULL, NULL };
+    LinkageWhy why = { LINKAGE_OK, 0, 0.0, NULL, NULL, NULL, 0, 0.0, 0 };
     why.is_single = is_single;
+    return why;
+}
+
+LinkageWhy linkage_why_behind(int is_single, double stand_in)
+{
+    LinkageWhy why = linkage_why(is_single);
+    why.goes_on = 1;
+    why.stand_in = stand_in;
     return why;
 }
 
@@ -64,6 +72,9 @@ LinkageStatus linkage_not_on_circle(LinkageError *error, double cosine, double s
 
 static double refuse(LinkageWhy *why, LinkageStatus status, const char *group, const char *name, double by, double value)
 {
+    if (why->goes_on) {
+        return status == LINKAGE_OUT_OF_REACH ? why->stand_in : (double)NAN;
+    }
     why->status = status;
     why->group = group;
     why->name = name;
@@ -126,6 +137,24 @@ void linkage_results_finite(LinkageWhy *why, const LinkageNamed *results, int co
             blame(why, results[i].name, given, given_count);
         }
     }
+}
+
+int linkage_lacks_a_pose(const LinkageWhy *why)
+{
+    return why->status == LINKAGE_OUT_OF_REACH || why->status == LINKAGE_NO_SOLUTION;
+}
+
+int linkage_is_told(const double *told, const double *others, int count)
+{
+    int i, known = 0;
+    for (i = 0; i < count; i++) {
+        if (linkage_is_finite(told[i])) {
+            known++;
+        } else if (told[i] == told[i] || !linkage_is_finite(others[i])) {
+            return 0;
+        }
+    }
+    return known > 0;
 }
 
 /* Sizes. */
@@ -580,6 +609,11 @@ double linkage_closed(LinkageWhy *why, double difference, double size, const cha
 {
     const double open_by = why->is_single ? (double)(0.022097087f * (float)size) : 9.5367431640625e-7 * size;
     if (why->status != LINKAGE_OK || why->otherwise != NULL) {
+        return difference;
+    }
+    if (why->goes_on) {
+        /* Where no root was found, neither is the difference, but by a stand-in. */
+        why->is_open |= why->stand_in != why->stand_in && difference == difference && !(fabs(difference) <= open_by);
         return difference;
     }
     if (!linkage_is_finite(difference)) {

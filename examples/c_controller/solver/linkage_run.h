@@ -690,6 +690,10 @@ typedef struct LinkageWhy {
     const char *group;
     const char *name;
     const char *otherwise; /* the unknown to blame where nothing else is wrong */
+    /* True if formulas go on behind what has no pose, this in its place, and NaN behind any other refusal. */
+    int goes_on;
+    double stand_in;
+    int is_open; /* true if an equation was found open, behind which nothing becomes NaN */
 } LinkageWhy;
 
 /* A number and what an error calls it. */
@@ -699,6 +703,7 @@ typedef struct LinkageNamed {
 } LinkageNamed;
 
 LinkageWhy linkage_why(int is_single);
+LinkageWhy linkage_why_behind(int is_single, double stand_in);
 LinkageStatus linkage_answered(LinkageError *error);
 LinkageStatus linkage_refused(const LinkageWhy *why, LinkageError *error);
 LinkageStatus linkage_because(LinkageError *error, LinkageStatus status, const char *name);
@@ -707,6 +712,11 @@ LinkageStatus linkage_not_on_circle(LinkageError *error, double cosine, double s
 /* What is given has to be finite, and what comes out. */
 void linkage_given_finite(LinkageWhy *why, const LinkageNamed *given, int count);
 void linkage_results_finite(LinkageWhy *why, const LinkageNamed *results, int count, const LinkageNamed *given, int given_count);
+
+/* Margins where a group has no pose: true if some of them are known, and the others are NaN because they stand
+ * behind it. These are numbers where `others` has another number in the place of what the group lacks. */
+int linkage_lacks_a_pose(const LinkageWhy *why);
+int linkage_is_told(const double *told, const double *others, int count);
 
 /* The conditions of the formulas: each returns the value under it, or what stands for it at a limit. */
 double linkage_nonzero(LinkageWhy *why, double value, const char *group);
