@@ -33,9 +33,10 @@ fn length(search: &SearchedGroup, ways: &[Way]) -> f64 {
     stretches.map(|([from, to], way)| (to - from) / way.step).sum()
 }
 
-/// True if all motions go on from the drawing both ways.
-fn goes_on(search: &SearchedGroup) -> bool {
-    search.stretches.iter().all(|stretch| *stretch == [0.0; 2] || is_inside(*stretch))
+/// The count of motions that go on from the drawing both ways, and of inputs that move nothing.
+fn going_on(search: &SearchedGroup, ways: &[Way]) -> usize {
+    let stretches = search.stretches.iter().zip(ways);
+    stretches.filter(|(stretch, way)| way.rests() || is_inside(**stretch)).count()
 }
 
 /// The reasons why no option is chosen.
@@ -74,10 +75,11 @@ pub(super) fn chosen(
             ways.iter().map(|way| Trace::of(machine, before, &search, way)).collect();
         ends &= traces.iter().any(Trace::ends_at_the_drawing);
         let Some(found) = followed(machine, &traces, search, &ways) else { continue };
-        let is_better = |best: &SearchedGroup| match (goes_on(&found), goes_on(best)) {
-            (now, before) if now != before => now,
-            _ => length(&found, &ways) > 1.001 * length(best, &ways),
-        };
+        let is_better =
+            |best: &SearchedGroup| match (going_on(&found, &ways), going_on(best, &ways)) {
+                (now, before) if now != before => now > before,
+                _ => length(&found, &ways) > 1.001 * length(best, &ways),
+            };
         if best.as_ref().is_none_or(is_better) {
             best = Some(found);
         }
@@ -122,11 +124,11 @@ fn followed(
         [trace] if machine.has_one_motion() => following::band(trace, &search),
         _ => None,
     };
-    let constant = with_constant_ends(machine, traces, search.clone());
+    let constant = with_constant_ends(machine, traces, &search, ways);
     match (constant, band) {
         (Some(constant), Some(band))
             if length(&constant, ways) >= ENOUGH * band.length() / ways[0].step
-                && goes_on(&constant) >= is_inside(band.stretch) =>
+                && going_on(&constant, ways) >= usize::from(is_inside(band.stretch)) =>
         {
             Some(constant)
         }
@@ -140,48 +142,84 @@ fn followed(
     }
 }
 
+/// The option with an interval of constant ends: one that grows by long stretches first, or where some motion ends in
+/// the drawing then, by a pose of each before.
 fn with_constant_ends(
     machine: &Machine,
     traces: &[Trace<'_>],
-    mut search: SearchedGroup,
+    search: &SearchedGroup,
+    ways: &[Way],
 ) -> Option<SearchedGroup> {
-    let lasts: Option<Vec<_>> =
-        traces.iter().map(|trace| trace.samples.len().checked_sub(1)).collect();
-    let lasts = lasts?;
-    let mut good: Vec<_> = traces.iter().map(|trace| [trace.drawn; 2]).collect();
-    let mut between = checked(machine, &search, traces, &good)?;
-    for size in [16, 8, 4, 2, 1] {
-        loop {
-            let mut grew = false;
-            for way in 0..traces.len() {
-                let [first, last] = good[way];
-                let wider =
-                    [[first, (last + size).min(lasts[way])], [first.saturating_sub(size), last]];
-                for wider in wider {
-                    let wider = [wider[0].min(good[way][0]), wider[1].max(good[way][1])];
-                    let mut all = good.clone();
-                    all[way] = wider;
-                    if wider != good[way]
-                        && let Some(found) = checked(machine, &search, traces, &all)
-                    {
-                        (good, between, grew) = (all, found, true);
-                    }
+    let growing = Growing::of(machine, traces, search)?;
+    let found = growing.clone().grown()?;
+    if going_on(&found, ways) == ways.len() {
+        return Some(found);
+    }
+    let mut evenly = growing;
+    evenly.grow(1);
+    let evenly = evenly.grown()?;
+    Some(if going_on(&evenly, ways) > going_on(&found, ways) { evenly } else { found })
+}
+
+/// An interval of constant ends that grows with the stretches that it holds.
+#[derive(Clone)]
+struct Growing<'t, 'm> {
+    machine: &'m Machine,
+    traces: &'t [Trace<'m>],
+    search: &'t SearchedGroup,
+    /// The first and the last index of each stretch.
+    good: Vec<[usize; 2]>,
+    between: [f64; 2],
+}
+
+impl<'t, 'm> Growing<'t, 'm> {
+    /// About the drawing alone.
+    fn of(
+        machine: &'m Machine,
+        traces: &'t [Trace<'m>],
+        search: &'t SearchedGroup,
+    ) -> Option<Self> {
+        let good: Vec<_> = traces.iter().map(|trace| [trace.drawn; 2]).collect();
+        let between = checked(machine, search, traces, &good)?;
+        Some(Self { machine, traces, search, good, between })
+    }
+
+    /// Lets each stretch grow by so many poses both ways; false where none can.
+    fn grow(&mut self, size: usize) -> bool {
+        let mut grew = false;
+        for way in 0..self.traces.len() {
+            let [first, last] = self.good[way];
+            let end = self.traces[way].samples.len() - 1;
+            let wider = [[first, (last + size).min(end)], [first.saturating_sub(size), last]];
+            for wider in wider {
+                let wider = [wider[0].min(self.good[way][0]), wider[1].max(self.good[way][1])];
+                let mut all = self.good.clone();
+                all[way] = wider;
+                if wider != self.good[way]
+                    && let Some(found) = checked(self.machine, self.search, self.traces, &all)
+                {
+                    (self.good, self.between, grew) = (all, found, true);
                 }
             }
-            if !grew {
-                break;
-            }
         }
+        grew
     }
-    // Only a part of the poses was looked at so far.
-    search.stretches.clear();
-    for (trace, good) in traces.iter().zip(good) {
-        let is_well = |index: usize| has_one_root(trace, &search, &trace.samples[index], between);
-        let good = run(trace.drawn, good, is_well)?;
-        search.stretches.push(good.map(|index| trace.samples[index].drive));
+
+    fn grown(mut self) -> Option<SearchedGroup> {
+        for size in [16, 8, 4, 2, 1] {
+            while self.grow(size) {}
+        }
+        let Self { traces, search, between, .. } = self;
+        // Only a part of the poses was looked at so far.
+        let mut stretches = Vec::new();
+        for (trace, good) in traces.iter().zip(self.good) {
+            let is_well =
+                |index: usize| has_one_root(trace, search, &trace.samples[index], between);
+            let good = run(trace.drawn, good, is_well)?;
+            stretches.push(good.map(|index| trace.samples[index].drive));
+        }
+        Some(SearchedGroup { between, stretches, ..search.clone() })
     }
-    search.between = between;
-    Some(search)
 }
 
 /// The interval of the unknown over stretches, where everything in it assembles with one root of the

@@ -81,6 +81,15 @@ pub(crate) struct InputRates {
     pub shifts: Vec<Complex>,
 }
 
+impl InputRates {
+    /// True if the input moves anything.
+    pub(crate) fn moves(&self) -> bool {
+        let rates = self.drives.iter().chain(&self.lengths).chain(&self.turns);
+        rates.copied().any(|rate| rate != 0.0)
+            || self.shifts.iter().any(|rate| rate.length() != 0.0)
+    }
+}
+
 /// The drive that holds two bodies together, and the pin that it turns them about.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Held {

@@ -81,8 +81,8 @@ impl Way {
     }
 
     /// True if the input moves nothing.
-    fn rests(&self) -> bool {
-        !self.step.is_finite()
+    pub(super) fn rests(&self) -> bool {
+        !self.motion.moves()
     }
 
     pub(super) fn given(&self, machine: &Machine, at: f64) -> PoseChanges {

@@ -163,3 +163,23 @@ fn a_group_stands_on_a_driven_point() {
         }
     }
 }
+
+/// The angle of a bar and that between two others move a group of which one way to solve it ends where it is drawn,
+/// whichever input goes on. One that goes on both ways along both is taken, and both are told.
+#[test]
+fn a_way_to_solve_a_group_that_ends_in_the_drawing_is_not_chosen() {
+    let machine = of(
+        "input q, r: angle; ground G0(0.2932, 0.0307), G3(0.3162, 0.6308), G6(-0.402, 0.0311); \
+         pin P1(0.2867, -0.1206), P2(0.1699, -0.2644), P4(0.4436, -0.2449), P7(0.2923, -0.4754), \
+         P8(-0.1627, -0.0193), P12(0.1562, -0.2529), P14(0.5294, -0.5475), P15(0.2793, -0.0262), \
+         P16(-0.0033, 0.1841), E13(0.1762, 0.1815); \
+         link L0(P1, G0, P2, E13), L1(P2, P4), L2(G3, P4), L3(P1, P7), L4(P7, P8, P12), L5(P8, G6), L8(P12, P14), \
+         L9(P2, P15), L10(E13, P16), L11(P15, P16, P14); \
+         drive L9.angle = q; drive L4.angle - L5.angle = r;",
+    );
+    for (index, input) in ["q", "r"].into_iter().enumerate() {
+        let ends = stretch(&machine, input);
+        assert!(ends[0] < -0.2 && ends[1] > 0.2, "{input}: {ends:?}");
+        is_solved_along(&machine, index, ends, |_, _| {});
+    }
+}

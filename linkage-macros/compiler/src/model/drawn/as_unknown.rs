@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, Span};
 
 use crate::chain::cutting::{DyadLeg, Found, Pair, SearchedGroup};
-use crate::chain::machine::Driven;
+use crate::chain::machine::{Driven, InputRates};
 use crate::chain::plane::Complex;
 use crate::syntax::tree::{
     Expr, ExprKind, GroupFieldValue, InputStatement, Solve, StatementKind, UnknownStatement,
@@ -93,7 +93,9 @@ impl Writer<'_, '_> {
             }
             _ => Vec::new(),
         });
-        let stretches = inputs.zip(&search.stretches).filter(|(_, ends)| **ends != [0.0; 2]);
+        let moving = machine.motions.iter().map(InputRates::moves);
+        let stretches = inputs.zip(&search.stretches).zip(moving).filter(|(_, moves)| *moves);
+        let stretches = stretches.map(|(stretch, _)| stretch);
         let of_input = |((name, is_angle), ends): ((&Ident, bool), &[f64; 2])| Stretch {
             input: Some(name.clone()),
             ends: *ends,
