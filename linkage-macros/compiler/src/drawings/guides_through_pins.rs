@@ -90,7 +90,7 @@ fn a_guide_runs_through_any_pin_of_its_link() {
         for (named, placed) in lines {
             let [named, placed] =
                 [named, placed].map(|line| format!("{knee} guide slot on {link} {line};"));
-            // Of a search, over its slope.
+            // An equation of a search is closed to some units in the last place, over its slope.
             are_one(&named, &placed, 1e-9);
         }
         let machine = of(&format!("{knee} guide slot on {link} through {far} towards {near};"));

@@ -10,7 +10,7 @@ fn of(statements: &str) -> Machine {
         .unwrap_or_else(|told| panic!("{statements}: {told:?}"))
 }
 
-/// What both know by one name is the same, but for slides that are measured from other points; the count of it.
+/// Numbers that both know by one name are the same, but for slides that are measured from other points; their count.
 fn shared(one: &Answers, other: &Answers) -> usize {
     let mut compared = 0;
     for (name, value) in one.iter() {

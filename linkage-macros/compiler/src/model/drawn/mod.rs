@@ -27,7 +27,7 @@ mod incidences;
 mod lengths;
 mod loose;
 mod messages;
-mod modes;
+mod modes_as_drawn;
 mod motions;
 mod on_links;
 mod placed;

@@ -72,6 +72,12 @@ impl Writer<'_, '_> {
         self.settle(body, DrawnFrame { begins, points, origin, axis }, counted);
     }
 
+    /// A block with its pin on a rail.
+    pub(super) fn block_on_rail(&mut self, slide: usize, body: usize, pin: usize) {
+        let counted = self.counted_on_rail(slide, body);
+        self.block_is_placed(body, pin, (self.guide_of(slide), counted));
+    }
+
     pub(super) fn block_is_placed(
         &mut self,
         body: usize,

@@ -15,7 +15,7 @@ use crate::model::drawn::frame_shifts::FrameShifts;
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::free_names::FreeNames;
 use crate::model::drawn::group_statement::group_of;
-use crate::model::drawn::modes::with_mode;
+use crate::model::drawn::modes_as_drawn::with_mode;
 use crate::model::drawn::written::{Sought, Written};
 use crate::model::drawn::{is_point_of, sorted};
 use crate::model::drawn_links::DrawnLinks;
@@ -261,8 +261,7 @@ impl<'b, 't> Writer<'b, 't> {
                 let names = [self.bar_name(&bar), self.name(block).clone()];
                 self.write_named(dyad, names, Some(v), fields);
                 self.settle_bar(bar);
-                let counted = self.counted_on_rail(s, block);
-                self.block_is_placed(block, v, (guide, counted));
+                self.block_on_rail(s, block, v);
                 self.slide_is_made(s, block, None);
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
@@ -287,10 +286,8 @@ impl<'b, 't> Writer<'b, 't> {
                 let offsets = guides.map(|guide| self.offset(guide, v));
                 let fields = self.offsets(offsets);
                 self.write(dyad, Some(v), fields);
-                for (slide, body, guide) in [(s, a, guides[0]), (t, b, guides[1])] {
-                    let counted = self.counted_on_rail(slide, body);
-                    self.block_is_placed(body, v, (guide, counted));
-                }
+                self.block_on_rail(s, a, v);
+                self.block_on_rail(t, b, v);
                 self.slide_is_made(s, a, None);
                 self.slide_is_made(t, b, None);
             }
