@@ -104,11 +104,11 @@ conditions! {
 
     /// A tracker follows motions; the solver that it holds knows forces.
     #[diagnostic::on_unimplemented(
-        message = "a tracker has no forces; ask its solver, on the branch that it follows",
-        label = "write `follow` in place of this",
+        message = "a tracker has no method of this name; ask its solver, on the branch that it follows",
+        label = "give this to `follow`",
         note = "as in `tracker.follow(q, rate, |solver, q| solver.forces(q, rate, second_rate))`"
     )]
-    FollowsForces
+    IsFollowed
 }
 
 #[cfg(not(feature = "ad"))]
@@ -147,10 +147,10 @@ conditions! {
 /// Methods that no solver has, each under a condition. Editors offer none of them: what is hidden in
 /// the documentation of another crate is hidden in completions.
 macro_rules! absent {
-    ($($(#[$attribute:meta])* $seen:vis $method:ident($($given:ident),*): $condition:ident;)*) => {$(
+    ($($(#[$attribute:meta])* $method:ident($($given:ident),*): $condition:ident;)*) => {$(
         $(#[$attribute])*
         #[doc(hidden)]
-        $seen fn $method<$($given),*>(&self, $(_: $given),*) -> <Self as $condition>::Answer
+        fn $method<$($given),*>(&self, $(_: $given),*) -> <Self as $condition>::Answer
         where
             Self: $condition,
         {
@@ -207,13 +207,22 @@ of_what_may_be_absent! {
     AbsentUnderLoads, L
 }
 
-/// Calls of a tracker that are those of its solver.
-impl<M: crate::private::Solver> crate::Tracker<M> {
-    absent! {
-        pub forces(Q, V, A): FollowsForces;
-        pub statics(Q): FollowsForces;
-        pub forward_dynamics(Q, V, D): FollowsForces;
-        pub state_rates(S, D): FollowsForces;
-        pub energy(Q, V): FollowsForces;
-    }
+/// Calls that a tracker leaves to its solver. The condition is one of the input: one of the tracker would hide the method.
+macro_rules! left_to_the_solver {
+    ($($method:ident($($given:ident),*))*) => {
+        impl<M: crate::private::Solver> crate::Tracker<M> {$(
+            #[doc(hidden)]
+            pub fn $method<Q: IsFollowed, $($given),*>(&self, q: Q, $(_: $given),*) -> Q::Answer {
+                q.answer()
+            }
+        )*}
+    };
+}
+
+left_to_the_solver! {
+    forces(V, A)
+    statics()
+    forward_dynamics(V, D)
+    state_rates(D)
+    energy(V)
 }

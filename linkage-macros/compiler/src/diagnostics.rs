@@ -132,7 +132,6 @@ impl Diagnostics {
     }
 
     /// Notes what is no mistake, with a second line that says what to do. The same note twice is one.
-    #[cfg_attr(not(test), expect(dead_code, reason = "nothing is noted yet"))]
     pub(crate) fn note_because(
         &mut self,
         at: impl Into<Extent>,

@@ -43,7 +43,7 @@ pub(super) fn documentation(mechanism: &Mechanism) -> String {
         },
         _ => String::new(),
     };
-    mechanism.docs.iter().chain(&mechanism.found).map(line).collect::<Vec<_>>().join("\n")
+    mechanism.all_docs().iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
 impl Machine {

@@ -36,7 +36,7 @@ fn export(mechanism: &mut Mechanism) {
         return;
     }
     let end = quote!(#[doc = "     }"]).to_string();
-    if let Some(at) = mechanism.docs.iter().rposition(|line| quote!(#line).to_string() == end) {
-        mechanism.docs.insert(at, parse_quote!(#[doc = "         export c;"]));
+    if let Some(at) = mechanism.found.iter().rposition(|line| quote!(#line).to_string() == end) {
+        mechanism.found.insert(at, parse_quote!(#[doc = "         export c;"]));
     }
 }

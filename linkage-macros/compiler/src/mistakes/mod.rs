@@ -202,6 +202,14 @@ pub(super) fn check(machine: &str, slips: &[Slip]) {
     assert!(bad.is_empty(), "{} of {} are bad:\n{}", bad.len(), slips.len(), bad.concat());
 }
 
+/// The notes on a machine without a mistake, with some changes.
+pub(super) fn notes(machine: &str, changes: &[(&str, &str)]) -> String {
+    let source = changed(machine, changes).expect("all of them are there");
+    let output = pipeline::compile(tokens(&source), &Options::NONE);
+    assert!(output.diagnostics.is_empty(), "{:?}", output.diagnostics);
+    told(&output.notes, &source, 0..source.len())
+}
+
 /// The statements that a message proposes are statements: each is read without a mistake, dots standing for a number.
 pub(crate) fn proposals_are_read(message: &str) {
     let quoted = message.split('`').skip(1).step_by(2);

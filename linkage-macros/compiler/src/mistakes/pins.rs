@@ -1,6 +1,6 @@
 //! Mistakes in the places of pins, and in pins as such.
 
-use super::{LEVERS, Slip, check, slip};
+use super::{LEVERS, Slip, check, notes, slip};
 
 const SLIPS: [Slip; 13] = [
     slip(
@@ -51,6 +51,18 @@ const SLIPS: [Slip; 13] = [
     slip("pin B(60mm, 40mm)", "pin B(60deg, 40mm)", "60deg", "60mm", "pin B(60mm, 40mm)"),
     slip("pin B(60mm, 40mm), C", "pin B(60mm, 40mm) C", "C", ",", "pin B(60mm, 40mm), C"),
 ];
+
+/// It may be meant: the machine has this offset.
+#[test]
+fn a_pin_slightly_beside_its_guide_is_noted() {
+    let beside = |place: &'static str| notes(LEVERS, &[("E(300mm, -200mm)", place)]);
+    let noted = "E#1: `E` is drawn 10 mm beside `bed` / `ram` slides at this offset; draw the pin on the guide where none \
+                 is meant";
+    assert_eq!(beside("E(290mm, -200mm)"), noted);
+    assert_eq!(beside("E(300mm, -200mm)"), "");
+    // An offset that is clearly meant.
+    assert_eq!(beside("E(240mm, -200mm)"), "");
+}
 
 #[test]
 fn mistakes_about_pins_are_mended_by_what_is_proposed() {

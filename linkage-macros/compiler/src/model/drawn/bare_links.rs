@@ -1,9 +1,14 @@
-//! Checks that links go through pins, and that the two pins of a bar are drawn apart.
+//! Checks that links go through pins, that the two pins of a bar are drawn apart, and that what slides is drawn on its
+//! guide or clearly beside it.
 
 use proc_macro2::Ident;
 
 use crate::syntax::tree::{GuideStatement, PointStatement, StatementKind};
 
+use crate::chain::plane::Complex;
+use crate::diagnostics::Diagnostics;
+use crate::model::drawn::bodies::Bodies;
+use crate::model::drawn::lengths::in_words;
 use crate::model::drawn::loose;
 use crate::model::drawn::reader::Reader;
 
@@ -43,5 +48,33 @@ impl Reader<'_, '_, '_> {
             let reason = "draw the two pins about as far apart as the link is long";
             self.report(&last, message, reason.to_string());
         }
+    }
+}
+
+/// The part of the machine's size below which a pin beside its guide looks like a slip of the pen.
+const SLIGHTLY: f64 = 0.05;
+/// The part of it below which the distance is one of rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Notes pins that are drawn slightly beside the guide that their link slides on: the distance is an offset.
+pub(super) fn note_slight_offsets(bodies: &Bodies<'_>, diagnostics: &mut Diagnostics) {
+    let size = bodies.machine.size();
+    for link in bodies.links.iter().filter(|link| !link.is_given) {
+        let (Some(&pin), Some(&guide)) = (link.pins.first(), link.on.first()) else { continue };
+        let line = &bodies.guides[guide].line;
+        let [through, along] =
+            [&line.through, &line.along].map(|[x, y]| Complex::new(x.value, y.value));
+        let from = bodies.machine.pins[pin] - through;
+        let across = along.unit().cross(from).abs();
+        if across <= ROUNDING * size || across >= SLIGHTLY * size {
+            continue;
+        }
+        let (name, guide) = (&bodies.pins[pin].name, bodies.guides[guide].name);
+        let message = format!("`{name}` is drawn {} beside `{guide}`", in_words(across));
+        let reason = format!(
+            "`{}` slides at this offset; draw the pin on the guide where none is meant",
+            link.name
+        );
+        diagnostics.note_because(name.span(), message, reason);
     }
 }

@@ -9,6 +9,7 @@ use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, PointPlac
 
 use crate::model::drawn::figures::{Figure, Pen};
 use crate::model::drawn::frames::{DrawnFrame, DrawnLine};
+use crate::model::names::listed;
 
 /// A point of the ground, a pin, or a point that is declared on a link.
 pub(super) struct PinPlace<'t> {
@@ -75,6 +76,18 @@ impl<'t> Bodies<'t> {
             GROUND => "the ground".to_string(),
             _ => format!("`{}`", self.links[body - 1].name),
         }
+    }
+
+    /// The names of bodies in words, the ground last.
+    pub(super) fn listed(&self, those: &[usize]) -> String {
+        let (ground, links): (Vec<usize>, Vec<_>) = those.iter().partition(|&&body| body == GROUND);
+        let names: Vec<_> = links.into_iter().chain(ground).map(|body| self.name(body)).collect();
+        listed(&names, "and")
+    }
+
+    /// The last link of those, where a message stands.
+    pub(super) fn last_link(&self, those: &[usize]) -> Option<&Ident> {
+        those.iter().rev().find(|&&body| body != GROUND).map(|&body| self.link(body).name)
     }
 
     pub(super) fn link(&self, body: usize) -> &LinkOutline<'t> {

@@ -2,12 +2,11 @@
 
 use proc_macro2::Ident;
 
-use crate::chain::machine::GROUND;
+use crate::chain::machine::{GROUND, Slide};
 use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{InputStatement, StatementKind};
 
-use crate::model::drawn::bodies::{Bodies, PinPlace};
-use crate::model::drawn::messages::{last_link, named};
+use crate::model::drawn::bodies::{Bodies, LinkOutline, PinPlace};
 use crate::model::names::listed;
 use crate::model::references::names_used;
 
@@ -24,7 +23,7 @@ pub(super) fn loose(
         diagnostics.error_because(link.span(), message, held_by(bodies, link, pin));
         return;
     }
-    let Some(last) = last_link(bodies, those) else { return };
+    let Some(last) = bodies.last_link(those) else { return };
     let likely = those.iter().copied().filter(|&body| body != GROUND);
     let likely = likely.map(|body| (bodies.link(body).name, drive(bodies, body)));
     let (link, drive) =
@@ -39,7 +38,7 @@ pub(super) fn loose(
         1 => "one drive too few".to_string(),
         _ => format!("{freedoms} drives too few"),
     };
-    let message = format!("{} {still} when every input is held: {few}", named(bodies, those));
+    let message = format!("{} {still} when every input is held: {few}", bodies.listed(those));
     let reason = format!("drive {them}, `{drive}`, or pin {them} to another link");
     diagnostics.error_because(link.span(), message, reason);
 }
@@ -88,10 +87,7 @@ pub(super) fn listed_names(names: &[Ident]) -> String {
 }
 
 /// The links through a pin, as messages quote them.
-pub(super) fn links_through(
-    bodies: &[crate::model::drawn::bodies::LinkOutline<'_>],
-    pin: usize,
-) -> String {
+pub(super) fn links_through(bodies: &[LinkOutline<'_>], pin: usize) -> String {
     let through = bodies.iter().filter(|link| link.pins.contains(&pin));
     let names: Vec<_> = through.map(|link| format!("`{}`", link.name)).collect();
     listed(&names, "and")
@@ -111,8 +107,7 @@ fn drive(bodies: &Bodies<'_>, body: usize) -> Option<String> {
         statements.iter().any(|statement| names_used(statement).contains(&input))
     };
     let link = bodies.link(body).name;
-    let slides =
-        |slide: &crate::chain::machine::Slide| slide.body == body && slide.carrier == GROUND;
+    let slides = |slide: &Slide| slide.body == body && slide.carrier == GROUND;
     let wanted = match bodies.machine.slides.iter().any(slides) {
         true => "length",
         false if is_pinned_to_the_ground(bodies, body) => "angle",

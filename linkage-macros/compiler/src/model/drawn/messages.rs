@@ -1,7 +1,5 @@
 //! Messages about drawings that cannot be cut.
 
-use proc_macro2::Ident;
-
 use crate::chain::Trouble;
 use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::{GROUND, Machine};
@@ -35,19 +33,6 @@ pub(super) fn report(bodies: &Bodies<'_>, trouble: &Trouble, diagnostics: &mut D
     }
 }
 
-/// The bodies in words.
-pub(super) fn named(bodies: &Bodies<'_>, those: &[usize]) -> String {
-    // The ground comes last.
-    let (ground, links): (Vec<usize>, Vec<_>) = those.iter().partition(|&&body| body == GROUND);
-    let names: Vec<_> = links.into_iter().chain(ground).map(|body| bodies.name(body)).collect();
-    listed(&names, "and")
-}
-
-/// The last link of those, where a message stands.
-pub(super) fn last_link<'b>(bodies: &'b Bodies<'_>, those: &[usize]) -> Option<&'b Ident> {
-    those.iter().rev().find(|&&body| body != GROUND).map(|&body| bodies.link(body).name)
-}
-
 fn too_many(
     bodies: &Bodies<'_>,
     (those, drives, freedoms): (&[usize], &[usize], usize),
@@ -56,8 +41,8 @@ fn too_many(
     let values = drives.iter().map(|&drive| bodies.drives[drive].1);
     let written = values.clone().map(|drive| format!("`drive {}`", drive_as_written(drive)));
     let written: Vec<_> = written.collect();
-    let Some(link) = last_link(bodies, those) else { return };
-    let who = named(bodies, those);
+    let Some(link) = bodies.last_link(those) else { return };
+    let who = bodies.listed(those);
     if freedoms > 0 && freedoms < drives.len() {
         let values: Vec<_> =
             values.clone().map(|drive| format!("`{}`", text(&drive.value))).collect();
@@ -149,17 +134,17 @@ fn values_span(bodies: &Bodies<'_>, drives: &[usize]) -> Option<crate::diagnosti
 }
 
 fn undecided(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
-    let Some(link) = last_link(bodies, those) else { return };
-    let message = format!("{} are one group of class III or higher", named(bodies, those));
+    let Some(link) = bodies.last_link(those) else { return };
+    let message = format!("{} are one group of class III or higher", bodies.listed(those));
     let reason = "drive another joint, so that each pair of links stands on what is known; or declare \
                   the groups with `unknown` and `solve`";
     diagnostics.error_because(link.span(), message, reason);
 }
 
 fn at_dead_point(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
-    let Some(link) = last_link(bodies, those) else { return };
+    let Some(link) = bodies.last_link(those) else { return };
     let message =
-        format!("in the drawing {} are at a dead point, or next to one", named(bodies, those));
+        format!("in the drawing {} are at a dead point, or next to one", bodies.listed(those));
     let reason = "two ways to assemble them come together there: draw another pose";
     diagnostics.error_because(link.span(), message, reason);
 }
@@ -170,9 +155,9 @@ fn at_limits(
     dyad: [usize; 2],
     diagnostics: &mut Diagnostics,
 ) {
-    let Some(link) = last_link(bodies, those) else { return };
+    let Some(link) = bodies.last_link(those) else { return };
     let [a, b] = dyad.map(|body| bodies.name(body));
-    let all = named(bodies, those);
+    let all = bodies.listed(those);
     let message = format!(
         "however {all} are taken apart, two links stand in the drawing where their modes come together, \
          as {a} and {b} do"
@@ -183,8 +168,8 @@ fn at_limits(
 }
 
 fn not_alone(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
-    let Some(link) = last_link(bodies, those) else { return };
-    let all = named(bodies, those);
+    let Some(link) = bodies.last_link(those) else { return };
+    let all = bodies.listed(those);
     let message = format!("{all} can be assembled in another way close to the drawing");
     let reason = "no interval of an unknown holds the drawing alone: draw a pose where the two are farther \
                   apart, or declare the groups with `unknown` and `solve`";

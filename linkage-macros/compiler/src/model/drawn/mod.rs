@@ -124,6 +124,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let frames = framing::written(&mut reader)?;
     let mut bodies = reader.machine(drives, frames)?;
     bodies.machine.motions = values.motions(&bodies);
+    bare_links::note_slight_offsets(&bodies, values.scope.diagnostics);
     let mut steps = steps(&bodies, values.scope.diagnostics)?;
     values.drives_agree(&bodies)?;
     if lengths::pose_has_declared_lengths(&mut bodies, values.scope.diagnostics)? {
