@@ -55,7 +55,7 @@ type Changes = &'static [(&'static str, &'static str)];
 
 /// A mistake in a machine, and what mends it.
 pub(super) struct Slip {
-    /// Of the machine that is meant.
+    /// The text of the machine that is meant, and what stands in its place.
     wrong: (&'static str, &'static str),
     /// The other changes by which the mistake is made.
     also: Changes,
@@ -106,7 +106,7 @@ impl Slip {
         Self { count, ..self }
     }
 
-    /// What is bad about the messages of this mistake; nothing where all is as it should be.
+    /// The fault of this mistake's messages; none where all is as it should be.
     fn is_bad(&self, machine: &str) -> Option<String> {
         let (right, wrong) = self.wrong;
         let source = changed(&changed(machine, &[(right, wrong)])?, self.also)?;

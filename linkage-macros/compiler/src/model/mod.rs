@@ -192,6 +192,7 @@ fn walked<'d>(
     scope.names.use_is_hidden |= scope.diagnostics.count() > 0;
     unused::every_input_is_used(&mut scope, tree, drawn.is_some());
     unused::actions_have_an_effect(&mut scope, tree);
+    contacts::frictions_are_pressed(&mut scope, tree);
     scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);
     rotatability::cranks_can_turn(&mut scope);
     unknowns::ends_can_be_assembled(&mut scope);

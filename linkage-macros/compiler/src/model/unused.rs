@@ -127,20 +127,4 @@ pub(in crate::model) fn actions_have_an_effect(scope: &mut Scope<'_>, tree: &Dec
         let message = "gravity without a mass does nothing; declare one or remove it";
         scope.diagnostics.error_because(at, message, "as in `mass 2kg on BC uniform`");
     }
-    friction_has_a_load(scope, tree);
-}
-
-/// Friction is of what presses: where nothing has mass or acts, nothing does.
-fn friction_has_a_load(scope: &mut Scope<'_>, tree: &Declaration) {
-    let waits = scope.names.use_is_hidden || !scope.mechanism.dynamics.is_empty();
-    let mut statements = tree.statements.iter().filter(|_| !waits);
-    let first = statements.find_map(|statement| match &statement.kind {
-        StatementKind::Action(Action::Friction(friction)) => Some(friction.at),
-        _ => None,
-    });
-    if let Some(at) = first {
-        let message =
-            "friction where nothing presses does nothing; declare a mass or a force, or remove it";
-        scope.diagnostics.error_because(at, message, "as in `mass 2kg on P`");
-    }
 }

@@ -118,7 +118,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let mut values = Measured::of(tree, diagnostics)?;
     let (mut reader, drives) = Reader::of(tree, &mut values)?;
     if tree.is_damaged {
-        // What moves follows from all statements, and one was not understood.
+        // Freedoms are counted from all statements, and one was not understood.
         return None;
     }
     let frames = framing::written(&mut reader)?;

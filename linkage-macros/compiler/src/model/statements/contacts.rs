@@ -95,6 +95,21 @@ pub(in crate::model) fn frictions(scope: &mut Scope<'_>, tree: &Declaration) {
     }
 }
 
+/// Friction is of what presses: where nothing has mass or acts, nothing does. It waits for other mistakes.
+pub(in crate::model) fn frictions_are_pressed(scope: &mut Scope<'_>, tree: &Declaration) {
+    let waits = scope.names.use_is_hidden || !scope.mechanism.dynamics.is_empty();
+    let mut statements = tree.statements.iter().filter(|_| !waits);
+    let first = statements.find_map(|statement| match &statement.kind {
+        StatementKind::Action(Action::Friction(friction)) => Some(friction.at),
+        _ => None,
+    });
+    if let Some(at) = first {
+        let message =
+            "friction where nothing presses does nothing; declare a mass or a force, or remove it";
+        scope.diagnostics.error_because(at, message, "as in `mass 2kg on P`");
+    }
+}
+
 /// Beside a load that drives all amounts follow from each other, and the code for them grows with their cube.
 fn too_many_rub(scope: &mut Scope<'_>, at: Span) -> bool {
     let dynamics = &scope.mechanism.dynamics;
