@@ -59,6 +59,9 @@ struct FunctionRow {
     measures: Measures,
     /// The largest magnitude of a value that no argument exceeds, rounding aside.
     largest: Option<f64>,
+    /// The error that the run-time promises in units in the last place, in double and in single precision, fused or
+    /// not; nothing where a library computes the value.
+    last_places: Option<[f64; 2]>,
     /// True if the function has no corner, at which a rate would jump.
     is_smooth: bool,
     /// The reason where constants have no value.
@@ -78,7 +81,30 @@ const ROWS: [FunctionRow; 17] = {
         largest: Option<f64>,
         domain: &'static str,
     ) -> FunctionRow {
-        FunctionRow { function, name, arity, measures, largest, is_smooth: true, domain }
+        let last_places = promised(function);
+        FunctionRow {
+            function,
+            name,
+            arity,
+            measures,
+            largest,
+            last_places,
+            is_smooth: true,
+            domain,
+        }
+    }
+    const fn promised(function: Function) -> Option<[f64; 2]> {
+        match function {
+            // Rounded as IEEE 754 asks.
+            Sqrt => Some([0.5; 2]),
+            // Of the root of the squares, where the fast path may use it.
+            Hypot => Some([1.5; 2]),
+            // Of the kernel for near arguments.
+            Sin | Cos => Some([1.71, 0.85]),
+            Asin | Acos | Atan | Atan2 => Some([1.5; 2]),
+            Abs | Sign | Min | Max => Some([0.0; 2]),
+            Tan | Exp | Ln | Tanh | Pow => None,
+        }
     }
     const fn cornered(name: (Function, &'static str, usize), measures: Measures) -> FunctionRow {
         FunctionRow { is_smooth: false, ..row(name, measures, None, "") }
@@ -151,6 +177,17 @@ impl Function {
     /// The largest magnitude of a value, rounding aside; `None` where it depends on the argument.
     pub(crate) const fn largest(self) -> Option<f64> {
         self.row().largest
+    }
+
+    /// The error that the run-time promises in units in the last place, in double and in single precision; `None`
+    /// where a library computes the value.
+    pub(crate) const fn last_places(self) -> Option<[f64; 2]> {
+        self.row().last_places
+    }
+
+    /// True if the argument is reduced by turns, which takes words of π.
+    pub(crate) const fn reduces_turns(self) -> bool {
+        matches!(self, Self::Sin | Self::Cos)
     }
 
     /// True if a dimension may depend on the function.

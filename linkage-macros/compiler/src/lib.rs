@@ -27,8 +27,10 @@
 //! | `ir` | the expression graph, what is solved at run time, costs, text, an interpreter | know a mechanism |
 //! | `equations` | the formulas of every driver and group, once | know how code is written |
 //! | `passes` | make the graph smaller without changing what it means | know a mechanism |
+//! | `prove` | bounds on the rounding errors of a graph, over a range of its inputs | know a mechanism |
 //! | `lower` | which routine computes what, in which order, and what it asks | print |
 //! | `codegen` | routines into functions, structs and docs, a folder a language: Rust, C with FMI's XML, JavaScript | decide |
+//! | `report` | what is proved of a solver, in numbers; `pipeline` alone asks for it | print |
 //!
 //! Imports point to earlier rooms only, and data flows one way: each phase takes the one before by
 //! reference and returns a new value.
@@ -78,10 +80,16 @@ mod model;
 mod oracle;
 mod passes;
 mod pipeline;
+mod prove;
 mod reach;
+mod report;
 mod syntax;
 
 pub use blocks::declarations;
 pub use codegen::script::page::PageParts;
 pub use diagnostics::{Diagnostic, Level};
-pub use pipeline::{File, Options, Output, Quantity, c, compile, fmu, page, quantity};
+pub use pipeline::{File, Options, Output, Quantity, c, compile, fmu, page, quantity, report};
+pub use report::{
+    BoundReport, EntryReport, LimitReport, OperationsReport, RangeReport, Report, ReportOptions,
+    ResultReport, TransmissionReport,
+};

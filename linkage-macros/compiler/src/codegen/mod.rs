@@ -28,6 +28,8 @@ pub(crate) mod tests;
 
 use proc_macro2::TokenStream;
 
+pub(crate) use docs::costs_in_words::{MOST, in_words};
+
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 

@@ -50,6 +50,14 @@ impl Implicit {
         }
     }
 
+    /// The unknown that is searched; none where it is no search.
+    pub(crate) fn unknown(&self) -> Option<u32> {
+        match self {
+            Self::Root(sought) => Some(sought.unknown),
+            Self::Amounts(_) => None,
+        }
+    }
+
     /// True if a function of its own searches.
     pub(crate) fn is_search(&self) -> bool {
         matches!(self, Self::Root(_))

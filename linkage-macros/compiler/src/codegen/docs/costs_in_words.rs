@@ -4,10 +4,10 @@ use crate::ir::cost::Operations;
 
 /// The most evaluations between two ends, in double and in single precision, as the run-time crate
 /// bounds them.
-pub(in crate::codegen) const MOST: [u32; 2] = [61, 32];
+pub(crate) const MOST: [u32; 2] = [61, 32];
 
 /// `20 additions, 31 multiplications and 1 square root`; `no operation` where it is free.
-pub(in crate::codegen) fn in_words(cost: Operations) -> String {
+pub(crate) fn in_words(cost: Operations) -> String {
     let counts = [
         (cost.additions, "addition"),
         (cost.multiplications, "multiplication"),

@@ -1,0 +1,39 @@
+//! Premises of a program: numbers that are ranged over, and others.
+
+use super::outward::OutwardInterval;
+use crate::exact::Exact;
+
+/// A number that a program is given.
+#[derive(Clone, Debug)]
+pub(crate) enum Leaf {
+    /// A number of the width, which goes over this range of [`Premises::ranges`]. Taken as exact.
+    Ranged(usize),
+    /// A number of the width within these. Taken as exact.
+    Within(OutwardInterval),
+    /// A decimal, rounded to the width.
+    Decimal(Exact),
+}
+
+/// See the module's documentation.
+#[derive(Clone, Debug)]
+pub(crate) struct Premises {
+    /// The ends of each range.
+    pub ranges: Vec<[f64; 2]>,
+    /// Value, rate and second rate of each input.
+    pub inputs: Vec<[Leaf; 3]>,
+    pub params: Vec<Leaf>,
+    pub loads: Vec<Leaf>,
+    pub drives: Vec<Leaf>,
+    /// True if results are wanted for all rates, as multiples of these: then the error of what depends on a rate is
+    /// relative.
+    pub scales_with_rates: bool,
+}
+
+impl Leaf {
+    pub(crate) const ZERO: Self = Self::Within(OutwardInterval::ZERO);
+
+    /// This number, which every width holds.
+    pub(crate) fn number(value: f64) -> Self {
+        Self::Within(OutwardInterval::point(value))
+    }
+}
