@@ -13,6 +13,7 @@ mod output;
 mod page;
 mod parameters;
 mod program;
+mod proof;
 mod report;
 mod style;
 mod values;
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
 fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Check(arguments) => check::run(&arguments),
+        Command::Report(arguments) => proof::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
