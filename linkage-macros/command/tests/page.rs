@@ -66,7 +66,7 @@ fn flags_say_what_rust_says() {
     let curves = ["--curves", "blade,theta.drive", "--between", "crank=5cm..0.2"];
     let found = page("flags", &[&flags[..], &more, &curves].concat()).expect("all is well");
     let quarter = std::f64::consts::FRAC_PI_2;
-    let shear = Shear { crank: 0.09, side: linkage_core::Side::Left, ..Shear::new() };
+    let shear = Shear { crank: 0.09, side: linkage_core::Side::Left };
     let page = shear.page().title("A <shear>").range("theta", -quarter..=1.5).rate("theta", 12.0);
     let page = page.load("cut", 1e4).curves(["blade", "theta.drive"]).range("crank", 0.05..=0.2);
     assert_eq!(found, page.to_html().expect("it can be drawn"));

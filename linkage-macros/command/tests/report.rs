@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::OnceLock;
 
 const SHEAR: &str = "\
 struct FlyingShear {
@@ -21,10 +22,14 @@ fn linkage(arguments: &[&str]) -> Output {
     command.arg("report").arg(file).args(arguments).output().expect("the program starts")
 }
 
-fn file() -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("reported.rs");
-    fs::write(&path, SHEAR).expect("a file can be written");
-    path
+/// Written once, as tests run beside one another.
+fn file() -> &'static Path {
+    static FILE: OnceLock<PathBuf> = OnceLock::new();
+    FILE.get_or_init(|| {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("reported.rs");
+        fs::write(&path, SHEAR).expect("a file can be written");
+        path
+    })
 }
 
 fn texts(output: &Output) -> [String; 2] {

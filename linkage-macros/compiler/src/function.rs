@@ -97,9 +97,9 @@ const ROWS: [FunctionRow; 17] = {
         match function {
             // Rounded as IEEE 754 asks.
             Sqrt => Some([0.5; 2]),
-            // Of the root of the squares, where the fast path may use it.
+            // The root of the squares, where the fast path may use it.
             Hypot => Some([1.5; 2]),
-            // Of the kernel for near arguments.
+            // The kernel for near arguments.
             Sin | Cos => Some([1.71, 0.85]),
             Asin | Acos | Atan | Atan2 => Some([1.5; 2]),
             Abs | Sign | Min | Max => Some([0.0; 2]),

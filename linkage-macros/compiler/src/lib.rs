@@ -88,7 +88,7 @@ mod syntax;
 pub use blocks::declarations;
 pub use codegen::script::page::PageParts;
 pub use diagnostics::{Diagnostic, Level};
-pub use pipeline::{File, Options, Output, Quantity, c, compile, fmu, page, quantity, report};
+pub use pipeline::{File, Options, Output, WrittenValue, c, compile, fmu, page, quantity, report};
 pub use report::{
     BoundReport, EntryReport, LimitReport, OperationsReport, RangeReport, Report, ReportOptions,
     ResultReport, TransmissionReport,

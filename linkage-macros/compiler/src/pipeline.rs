@@ -144,7 +144,7 @@ pub fn page(source: TokenStream) -> Result<PageParts, Vec<Diagnostic>> {
 /// A value that is written as in a declaration: `90mm`, `-30deg`, `2 * pi`, `12(rad/s)`.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Quantity {
+pub struct WrittenValue {
     /// The value in SI units.
     pub value: f64,
     /// The SI unit, such as `rad/s`; `1` for a number without one.
@@ -161,7 +161,7 @@ pub struct Quantity {
 /// assert_eq!((length.value, &length.unit[..]), (0.09, "m"));
 /// assert!(linkage_compiler::quantity("90 mm mm").is_err());
 /// ```
-pub fn quantity(text: &str) -> Result<Quantity, Vec<String>> {
+pub fn quantity(text: &str) -> Result<WrittenValue, Vec<String>> {
     let source = format!("struct Value {{ param value = {text}; }}");
     // A bracket that closes too early would end the declaration.
     let tokens: TokenStream = match (text.parse::<TokenStream>(), source.parse()) {
@@ -175,7 +175,7 @@ pub fn quantity(text: &str) -> Result<Quantity, Vec<String>> {
     let found = tree.and_then(|tree| model::quantity(&tree, &mut diagnostics)).filter(|_| is_alone);
     match (found, diagnostics.finish()) {
         (Some((dimension, value)), Ok(())) => {
-            Ok(Quantity { value: value.to_f64(), unit: unit(dimension, Order::Position) })
+            Ok(WrittenValue { value: value.to_f64(), unit: unit(dimension, Order::Position) })
         }
         (_, Err(Failure(mistakes))) => Err(mistakes.iter().map(Diagnostic::text).collect()),
         (None, Ok(())) => Err(vec![format!("`{text}` is no value")]),

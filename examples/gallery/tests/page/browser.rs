@@ -33,7 +33,7 @@ addEventListener("message", ({ data, source }) => {
 
 fn visited(visits: &[Visit], name: &str, flags: &[&str]) -> String {
     let is_still = flags.contains(&"--force-prefers-reduced-motion");
-    let hand = include_str!("drag.js");
+    let hand = [include_str!("drag.js"), include_str!("asked.js")].concat();
     scripted(visits, name, flags, |steps| {
         format!("{{ const IS_STILL = {is_still}, PLANNED = {steps};\n{hand} }}")
     })

@@ -6,8 +6,8 @@ use quote::{format_ident, quote};
 
 use super::Drawing;
 use super::docs::words;
+use super::drawn_plan::{self, PlanStatement};
 use super::identifiers::{generated, text};
-use super::plan::{self, Placed};
 use super::rust::context::Context;
 use super::rust::paths::Paths;
 use super::rust::{formulas, root_functions};
@@ -120,7 +120,7 @@ fn applied(cx: &Context<'_>) -> Option<TokenStream> {
     let given = arguments.labelled(&routine.reads);
     let checks = generated("checks_");
     let formulas = formulas::Call { routine: APPLIED, stage: 0 }.under(cx, &quote!(#checks));
-    let points = plan::pushed(cx.mechanism).map(number);
+    let points = drawn_plan::pushed(cx.mechanism).map(number);
     Some(quote! {
         /// The forces that the declaration puts on points, for `applied` of a film.
         ///
@@ -138,12 +138,12 @@ fn plan(mechanism: &Mechanism, paths: &Paths) -> TokenStream {
     let plan = paths.item("Plan");
     let name = text(&mechanism.name);
     let docs = words(&mechanism.docs);
-    let [points, links, guides] = plan::names(mechanism).map(|names| quote!(&[#(#names),*]));
-    let springs = plan::springs(mechanism).map(|plan::Drawn { ends, kinds }| {
+    let [points, links, guides] = drawn_plan::names(mechanism).map(|names| quote!(&[#(#names),*]));
+    let springs = drawn_plan::springs(mechanism).map(|drawn_plan::PlanSpring { ends, kinds }| {
         let (item, ends) = (paths.item("Spring"), ends.map(number));
         quote!(#item { ends: [#(#ends),*], kinds: [#(#kinds),*] })
     });
-    let statements = plan::statements(mechanism).map(|placed| statement(paths, placed));
+    let statements = drawn_plan::statements(mechanism).map(|placed| statement(paths, placed));
     quote! {
         #plan {
             name: #name,
@@ -157,29 +157,29 @@ fn plan(mechanism: &Mechanism, paths: &Paths) -> TokenStream {
     }
 }
 
-fn statement(paths: &Paths, placed: Placed) -> TokenStream {
+fn statement(paths: &Paths, placed: PlanStatement) -> TokenStream {
     let element = paths.item("Element");
     match placed {
-        Placed::Ground(point) => {
+        PlanStatement::Ground(point) => {
             let point = number(point);
             quote!(#element::Ground(#point))
         }
-        Placed::Guide(guide, on) => {
+        PlanStatement::Guide(guide, on) => {
             let (guide, on) = (number(guide), option(paths, on));
             quote!(#element::Guide(#guide, #on))
         }
-        Placed::Point(point, on) => {
+        PlanStatement::Point(point, on) => {
             let (point, on) = (number(point), option(paths, on));
             quote!(#element::Point(#point, #on))
         }
-        Placed::Group(members, pin) => {
+        PlanStatement::Group(members, pin) => {
             let (members, pin) = (members.iter().map(|own| member(paths, own)), option(paths, pin));
             quote!(#element::Group(&[#(#members),*], #pin))
         }
     }
 }
 
-fn member(paths: &Paths, member: &plan::Member) -> TokenStream {
+fn member(paths: &Paths, member: &drawn_plan::PlanMember) -> TokenStream {
     let (item, shape) = (paths.item("Member"), format_ident!("{}", member.shape));
     let (link, on) = (number(member.link), member.pivot.or(member.guide).map(number));
     let turned = member.is_turned.then(|| quote!(.turned()));

@@ -6,7 +6,7 @@
 //! | `rust` | the expansion of a declaration: structs, entry points, searches, sweeps |
 //! | `c` | the same functions in C99, their header, the run-time, and FMUs |
 //! | `script` | the formulas in JavaScript, and the page that they move |
-//! | `plan`, `drawing` | what a mechanism is drawn by: as data, and in Rust |
+//! | `drawn_plan`, `drawing` | what a mechanism is drawn by: as data, and in Rust |
 //! | `docs` | what documentation says of each item, and comments of headers |
 //! | `printer` | the walk over a routine's statements, for every language |
 //! | `arguments` | the arguments of an entry point |
@@ -16,8 +16,8 @@ mod arguments;
 pub(crate) mod c;
 mod docs;
 mod drawing;
+mod drawn_plan;
 mod identifiers;
-mod plan;
 mod printer;
 mod rust;
 pub(crate) mod script;

@@ -102,6 +102,10 @@ pub(crate) struct Entry {
 }
 
 impl Analysis {
+    /// What a page asks beside where everything stands.
+    pub(crate) const ON_PAGES: [Self; 4] =
+        [Self::Motion, Self::Forces, Self::Holding, Self::ForwardDynamics];
+
     /// Each computes what the one before it does, and one order more: they share their formulas, and
     /// are what the run-time crate's trait `Solver` asks for.
     pub(crate) const STAGES: [Self; 3] = [Self::Position, Self::Velocity, Self::Motion];

@@ -135,7 +135,8 @@ fn a_mistake_in_what_is_asked_is_named() {
     let refused = |change: &dyn Fn(&mut ReportOptions)| {
         report(LIMITED, |options| change(options)).expect_err("it is refused").remove(0)
     };
-    let cases: [(&dyn Fn(&mut ReportOptions), &str); 6] = [
+    type Case = (&'static dyn Fn(&mut ReportOptions), &'static str);
+    let cases: [Case; 6] = [
         (&|o| o.between = vec![pair("thetta", "0..1")], "`thetta` is not an input or a parameter"),
         (
             &|o| o.between = vec![pair("theta", "0deg")],

@@ -3,12 +3,12 @@
 
 mod in_script;
 pub(crate) mod page;
-mod plan;
+mod plan_object;
 
 use self::in_script::{InScript, list, quoted, read};
 use crate::codegen::docs::force_docs::unit_of;
+use crate::codegen::drawn_plan::pushed;
 use crate::codegen::identifiers::{CIRCLE, text};
-use crate::codegen::plan::pushed;
 use crate::codegen::printer::Printer;
 use crate::codegen::text::Text;
 use crate::interface::entries::{Analysis, ArgumentKind};
@@ -44,9 +44,7 @@ pub(super) fn object(
         script.put(&points.join(", ")).put("],\n");
     }
     [placing, lowered].iter().for_each(|lowered| searches(mechanism, lowered, &mut script));
-    let analyses =
-        [Analysis::Motion, Analysis::Forces, Analysis::Holding, Analysis::ForwardDynamics];
-    for analysis in analyses {
+    for analysis in Analysis::ON_PAGES {
         entry(mechanism, lowered, analysis, &mut script);
     }
     let outputs = mechanism.outputs.iter().map(output);

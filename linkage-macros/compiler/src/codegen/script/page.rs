@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::Attribute;
 
-use super::plan;
+use super::plan_object;
 use crate::codegen::docs::words;
 use crate::codegen::identifiers::text;
 use crate::codegen::rust::context::Context;
@@ -61,7 +61,7 @@ impl PageParts {
         Self {
             name: text(&mechanism.name),
             docs: words(&mechanism.docs),
-            plan: plan::object(mechanism),
+            plan: plan_object::object(mechanism),
             script: super::object(mechanism, solver, placing),
             inputs: inputs.collect(),
             params: params.collect(),

@@ -104,7 +104,7 @@ fn is_pinned_to_the_ground(bodies: &Bodies<'_>, body: usize) -> bool {
 fn drive(bodies: &Bodies<'_>, body: usize) -> Option<String> {
     let is_used = |input: &Ident| {
         let statements = &bodies.tree.statements;
-        statements.iter().any(|statement| names_used(statement).contains(&input))
+        statements.iter().any(|statement| names_used(statement).contains(input))
     };
     let link = bodies.link(body).name;
     let slides = |slide: &Slide| slide.body == body && slide.carrier == GROUND;

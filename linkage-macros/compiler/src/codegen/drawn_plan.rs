@@ -5,7 +5,7 @@ use crate::model::acting::{Ends, Force, Spring};
 use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Slideway, Step};
 
 /// A statement, every part by its place among the names.
-pub(super) enum Placed {
+pub(super) enum PlanStatement {
     /// A fixed point.
     Ground(u32),
     /// A guide, and the link that carries it.
@@ -13,11 +13,11 @@ pub(super) enum Placed {
     /// A point, and the link that carries it.
     Point(u32, Option<u32>),
     /// The links of a driver or a group, and its pin.
-    Group(Vec<Member>, Option<u32>),
+    Group(Vec<PlanMember>, Option<u32>),
 }
 
 /// A link of a group.
-pub(super) struct Member {
+pub(super) struct PlanMember {
     pub link: u32,
     /// The point that it turns about.
     pub pivot: Option<u32>,
@@ -30,7 +30,7 @@ pub(super) struct Member {
 }
 
 /// A spring, a damper, or both, between two points.
-pub(super) struct Drawn {
+pub(super) struct PlanSpring {
     pub ends: [u32; 2],
     /// Two flags: it has a stiffness, and it has a damping.
     pub kinds: [bool; 2],
@@ -45,21 +45,21 @@ pub(super) fn names(mechanism: &Mechanism) -> [Vec<String>; 3] {
     ]
 }
 
-pub(super) fn statements(mechanism: &Mechanism) -> impl Iterator<Item = Placed> {
+pub(super) fn statements(mechanism: &Mechanism) -> impl Iterator<Item = PlanStatement> {
     let on = |carrier: Carrier| match carrier {
         Carrier::Ground => None,
         Carrier::Link(link) => Some(link.0),
     };
     mechanism.steps.iter().map(move |step| match step {
-        Step::Ground { point, .. } => Placed::Ground(point.0),
-        Step::Guide { guide, carrier, .. } => Placed::Guide(guide.0, on(*carrier)),
-        Step::Point { point, carrier, .. } => Placed::Point(point.0, on(*carrier)),
+        Step::Ground { point, .. } => PlanStatement::Ground(point.0),
+        Step::Guide { guide, carrier, .. } => PlanStatement::Guide(guide.0, on(*carrier)),
+        Step::Point { point, carrier, .. } => PlanStatement::Point(point.0, on(*carrier)),
         Step::Group(group) => group_of(mechanism, group),
     })
 }
 
-fn group_of(mechanism: &Mechanism, group: &Group) -> Placed {
-    let members = group.outer.iter().enumerate().map(|(index, joint)| Member {
+fn group_of(mechanism: &Mechanism, group: &Group) -> PlanStatement {
+    let members = group.outer.iter().enumerate().map(|(index, joint)| PlanMember {
         link: group.links[index].0,
         pivot: joint.point().map(|point| point.0),
         guide: joint.guide().map(|guide| guide.0),
@@ -69,7 +69,7 @@ fn group_of(mechanism: &Mechanism, group: &Group) -> Placed {
             Some(Drive::Angle { angle, relative_to: Carrier::Ground }) if mechanism.turns(angle)
         ),
     });
-    Placed::Group(members.collect(), group.pin.map(|pin| pin.0))
+    PlanStatement::Group(members.collect(), group.pin.map(|pin| pin.0))
 }
 
 /// The word for the shape of a link, from its joints.
@@ -99,10 +99,10 @@ pub(super) fn pushed(mechanism: &Mechanism) -> impl Iterator<Item = u32> {
 }
 
 /// The springs between two points; a torsion spring is not drawn.
-pub(super) fn springs(mechanism: &Mechanism) -> impl Iterator<Item = Drawn> {
+pub(super) fn springs(mechanism: &Mechanism) -> impl Iterator<Item = PlanSpring> {
     mechanism.dynamics.springs.iter().filter_map(|spring: &Spring| {
         let Ends::Points(ends) = spring.ends else { return None };
         let kinds = [&spring.stiffness, &spring.damping].map(|number| !number.value.is_zero());
-        Some(Drawn { ends: ends.map(|end| end.0), kinds })
+        Some(PlanSpring { ends: ends.map(|end| end.0), kinds })
     })
 }
