@@ -1,5 +1,7 @@
 //! Joints that do not turn, turn by rounding alone, or are just starting.
 
+use std::f64::consts::PI;
+
 use linkage_core::{Record, Status};
 use linkage_tests::mechanisms::friction::RubbingGroups;
 use linkage_tests::mechanisms::still::*;
@@ -7,7 +9,7 @@ use linkage_tests::random::Random;
 
 /// The angles at which the parallelogram is one, which is an antiparallelogram behind its change points at 0° and 180°.
 fn angles() -> impl Iterator<Item = f64> {
-    (1..400).map(|step| 3.14 * f64::from(step) / 400.0)
+    (1..400).map(|step| PI * f64::from(step) / 400.25)
 }
 
 /// Everything is what it is without friction: to the bit, as nothing is added.

@@ -14,13 +14,13 @@ fn slopes_are_there_beyond_the_limit() {
     for (d, l) in [([3.1, 4.3], [3.0, 2.0]), ([0.3, -0.4], [3.0, 2.0]), ([9.0, 1.0], [0.5, 4.0])] {
         let at = [d[0], d[1], l[0], l[1]];
         let slopes = differentiate(at, |[dx, dy, l1, l2]| {
-            let group = MarginRrr { l1, l2, ..MarginRrr::new().lift() };
+            let group = MarginRrr { l1, l2 };
             let told = group.margins([number(0.0), number(0.0), dx, dy])?;
             Ok([told.DC_margin, told.DC_transmission])
         });
         let slopes = slopes.expect("the margin is there");
         let margin = |[dx, dy, l1, l2]: [f64; 4]| {
-            let group = MarginRrr { l1, l2, ..MarginRrr::new() };
+            let group = MarginRrr { l1, l2 };
             let told = group.margins([0.0, 0.0, dx, dy]).expect("the margin is there");
             assert!(told.DC_margin < 0.0 && told.DC_transmission == 0.0);
             told.DC_margin
@@ -149,7 +149,7 @@ fn before_a_search<T: Real>() {
             .all(|x| x.is_finite())
     );
     // Beyond the stroke of 330 mm; and with a crank that leaves the rod at some angles, behind any root.
-    let long = MarginSearch { crank: number(0.5), ..search };
+    let long = MarginSearch { crank: number(0.5) };
     for (search, x) in [(search, 0.4), (long, 2.0)] {
         let told = search.margins(list([x, -0.1])).expect("the first is known");
         assert!(is_same(told.KL_margin, all.KL_margin));
