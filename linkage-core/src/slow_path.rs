@@ -26,8 +26,8 @@ pub fn diagnose<T: Real, R: Record<Number = T> + Copy>(
 /// The same where some numbers are known though a group has no pose: all that do not stand behind it. The others
 /// are NaN.
 ///
-/// What is no number is taken for one behind such a group only where it is a number with another one in the place
-/// of what the group lacks. Where it is not, and where nothing is known, the group is the answer.
+/// A NaN counts as one behind such a group only where it is a number with another one in the place of what the group
+/// lacks. Where it is not, and where nothing is known, the group is the answer.
 ///
 /// # Errors
 /// See [`diagnose`].

@@ -15,7 +15,7 @@ pub(crate) struct Known<'a> {
     is_mode: bool,
 }
 
-/// What a text of settings tells: `PageParts` says what a line holds.
+/// The settings of a text: `PageParts` says what a line holds.
 pub(crate) fn known(settings: &str) -> Vec<Known<'_>> {
     let known = |line| {
         let mut parts = str::split(line, '\t');
@@ -45,7 +45,7 @@ impl<'a> Setting<'a> {
         Ok(Self { flag, name: name.trim(), text: text.trim() })
     }
 
-    /// What is set, by its name.
+    /// The place of the one that is set, by its name.
     ///
     /// # Errors
     /// A name that is none of them.

@@ -182,7 +182,7 @@ pub fn quantity(text: &str) -> Result<WrittenValue, Vec<String>> {
     }
 }
 
-/// What is proved of the solver of a declaration: errors of every result in both widths, what a dimension changes, where
+/// The proofs about the solver of a declaration: errors of every result in both widths, what a dimension changes, where
 /// the fast path answers, and what a call costs. It takes from milliseconds to seconds, and nothing else asks for it.
 ///
 /// # Errors

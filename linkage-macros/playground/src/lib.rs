@@ -19,7 +19,7 @@ pub const CHECK: u32 = 0;
 pub const C: u32 = 1;
 /// The FMU, in an archive.
 pub const FMU: u32 = 2;
-/// What the declaration becomes in Rust.
+/// The Rust code of the declaration.
 pub const RUST: u32 = 3;
 
 /// Room for a text.

@@ -10,7 +10,7 @@ use super::json::{list, number, object, string, strings};
 use crate::sketch::SketchError;
 use crate::sketch::traces::named;
 
-/// What is asked of a page.
+/// The wishes for a page.
 #[derive(Clone, Debug, Default)]
 pub struct Wishes {
     /// A heading in place of the mechanism's name.

@@ -102,7 +102,7 @@ pub(crate) struct Entry {
 }
 
 impl Analysis {
-    /// What a page asks beside where everything stands.
+    /// The analyses of a page, beside where everything stands.
     pub(crate) const ON_PAGES: [Self; 4] =
         [Self::Motion, Self::Forces, Self::Holding, Self::ForwardDynamics];
 

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::expression::FRICTION;
+use crate::syntax::expression::{FRICTION, RATES};
 use crate::syntax::tree;
 
 use crate::model::dimension::Measure;
@@ -12,9 +12,6 @@ use crate::model::reads::{Allowed, Reads};
 use crate::model::resolved_expr::{ResolvedExpr, bare_name, counted};
 use crate::model::scope::Scope;
 use crate::model::{drawn_sliding, dynamics_outputs, effort_formulas, uses};
-
-/// Words under which a user may look for a rate among the members of a point.
-const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
 
 /// True if links or inputs have an output of this name about forces.
 fn is_of_forces(word: &str) -> bool {

@@ -3,6 +3,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
+use super::anatomy::Modes;
 use super::tokens::{Parse, Parser};
 use super::tree::DriveStatement;
 use crate::function::Function;
@@ -76,7 +77,7 @@ impl Parser<'_> {
 
     /// `link DC(D, C) left;`
     pub(super) fn leave_out_mode(&mut self) {
-        if ["left", "right", "ahead", "behind"].iter().any(|mode| self.is_word(0, mode)) {
+        if Modes::ALL.iter().flat_map(|modes| modes.words()).any(|mode| self.is_word(0, mode)) {
             let message = format!("leave out {}", self.found());
             let _ = self.refuse_because::<()>(&message, "a link assembles as it is drawn");
             self.take();

@@ -21,6 +21,9 @@ const MEMBERS: [&str; 6] = ["angle", "slide", "margin", "transmission", "x", "y"
 
 const OPERAND: &str = "a number or a name";
 
+/// Words under which a user may look for a rate among the members of a point.
+pub(crate) const RATES: [&str; 7] = ["velocity", "acceleration", "speed", "rate", "vx", "vy", "v"];
+
 /// Why no force reads a reaction, and what to write where friction is meant.
 pub(crate) const FRICTION: &str = "a reaction follows from all forces, so none can depend on it; \
                                    `friction 0.1 at C radius 8mm` does, and `friction 0.1 on ram` of \

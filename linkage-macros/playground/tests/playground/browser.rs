@@ -30,7 +30,7 @@ fn a_stranger_types_mends_and_takes_along() {
     }
 }
 
-/// What the way tells at its end. Streams and the compiler take real time, so that the page is looked at while it lives.
+/// The last words of the way. Streams and the compiler take real time, so that the page is looked at while it lives.
 fn told(page: &str, width: &str) -> String {
     let folder = std::env::temp_dir().join(format!("playground_{width}_{}", std::process::id()));
     fs::create_dir_all(&folder).expect("a folder can be made");

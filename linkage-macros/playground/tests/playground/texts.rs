@@ -31,7 +31,7 @@ fn every_machine_to_begin_with_has_a_page_and_exports() {
         }
         let rust = String::from_utf8(answered(text, RUST)).expect("it is a text");
         assert!(rust.contains("struct"), "{name}");
-        // What stands between the braces is a declaration too.
+        // The text between the braces is a declaration too.
         let (_, inner) = text.split_once('{').expect("it is a call");
         assert!(is_whole(inner.trim_end().trim_end_matches('}')), "{name}");
     }

@@ -5,7 +5,7 @@ use std::format;
 use super::node;
 use crate::sketch::page::assembled::{ARITHMETIC, READS};
 
-/// What is computed, and what it has to be.
+/// A computation, and its result.
 const CASES: &[(&str, &str)] = &[
     ("digits(0)", "0"),
     ("digits(4.8e-15)", "4.800·10⁻¹⁵"),
@@ -38,7 +38,7 @@ const CASES: &[(&str, &str)] = &[
     ("asTyped(1.5e-7, [\"m\", 1])", "1.5·10⁻⁷ m"),
     ("asTyped(100, [\"\", 1])", "100"),
     ("asTyped(-2.5, [\"°\", 1])", "−2.5°"),
-    // What is written.
+    // Texts of readers.
     ("numberIn(\"63.5mm\", \"m\", [\"m\", 1])", "0.0635"),
     ("numberIn(\"63,5\", \"m\", [\"mm\", 1e3])", "0.0635"),
     ("numberIn(\" −1.5·10⁻³ kN \", \"N\", [\"N\", 1])", "-1.5"),

@@ -40,7 +40,7 @@ mechanism! {
         input theta: angle;
         ground A(0, 0);
         pin B(6mm, 5mm), C(26mm, 1mm);
-        guide guide_C through (0, 0) along 0deg;
+        guide guide_C through (26mm, 1mm) along 0deg;
         link block_C(C) on guide_C;
         link AB(A, B);
         link BC(B, C);

@@ -160,7 +160,7 @@ fn output(output: &DeclaredOutput) -> String {
         OutputKind::Margin(_) => "m".to_string(),
         _ => "1".to_string(),
     };
-    // What is asked for as `DC.margin` is a field `DC_margin`.
+    // An output that is asked for as `DC.margin` is a field `DC_margin`.
     let name = text(&output.field);
     let title = match &output.kind {
         OutputKind::Margin(_) | OutputKind::Transmission(_) => name.rsplit_once('_'),
