@@ -74,5 +74,5 @@ fn a_text_that_is_typed_is_told_inside_it() {
             assert!(nth < text.len());
         }
     }
-    assert!(whole * 20 > broken && broken > 3 * whole, "{whole} whole, {broken} broken");
+    assert!(whole * 20 > broken && broken > 2 * whole, "{whole} whole, {broken} broken");
 }
