@@ -41,11 +41,7 @@ const pick = (to) => {
   const isSame = picked && picked.point === to?.point && picked.link === to?.link;
   picked = isSame ? null : to;
   const name = nameOfPicked();
-  if (name && offered.includes(name) && name !== state.shown) {
-    state.shown = name;
-    $("#shown").value = name;
-    buildCharts();
-  }
+  if (name && offered.includes(name) && name !== state.shown) showCurvesOf(name);
   draw(CURVES);
 };
 

@@ -4,7 +4,7 @@
 const STEPS = 240, SURVEYED = 48;
 let samples = [];
 
-const withInput = (k, x) => state.q.map((value, n) => (n === k ? x : value));
+const withInput = (k, x) => withOne(state.q, k, x);
 const domain = () => [inputs[state.axis].from, inputs[state.axis].to];
 const stepped = (count, [from, to], at) => Array.from({ length: count + 1 }, (_, k) => at(from + ((to - from) * k) / count));
 
@@ -120,6 +120,12 @@ const buildCharts = () => {
     const dots = chart.series.map((_, k) => node("circle", { class: `dot s${k}`, r: 4 }));
     return { ...chart, svg, out, grid, zero, inside, ticks, band, olds, lines, title, legend, labels, rest, cursor, dots };
   });
+};
+
+const showCurvesOf = (name) => {
+  state.shown = name;
+  $("#shown").value = name;
+  buildCharts();
 };
 
 /// Round numbers in a range, and how far apart they are.

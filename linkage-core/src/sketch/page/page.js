@@ -272,9 +272,8 @@ const offered = PAGE.curves.length ? PAGE.curves : [...new Set([...rows.map(({ o
 /// What the address says, at first and whenever it is another one.
 const take = () => {
   recall(takeAsked());
-  $("#shown").value = state.shown;
   $("#axis").value = state.axis;
-  buildCharts();
+  showCurvesOf(state.shown);
   setPace();
   draw(SCALE);
 };
@@ -325,8 +324,7 @@ for (const ending of ["svg", "png"]) {
   on($(`#charts_${ending}`), "click", () => saveDrawing(charts.map(({ svg }) => svg).filter((svg) => svg.style.display !== "none"), ending));
 }
 on($("#shown"), "change", ({ target }) => {
-  state.shown = target.value;
-  buildCharts();
+  showCurvesOf(target.value);
   draw(CURVES);
   remember();
 });
