@@ -8,19 +8,21 @@ use linkage_core::sketch::{Declared, Machine, Wishes, html};
 use crate::arguments::{Page, Target};
 use crate::output::{self, Failure};
 use crate::program::Program;
-use crate::values::{Setting, known};
+use crate::values::{FlagValue, known};
 
 pub(crate) fn run(arguments: &Page) -> Result<(), Failure> {
     let program = Program::read(&arguments.file, &arguments.chosen)?;
     // The text is the declared one, and values are those that are set, as a solver's are.
-    let set = program.all(page)?;
-    let declared = program.each(program.written()?, |declaration| {
+    let mut declared = program.each(program.written()?, |declaration| {
         Ok((page(declaration.tokens.clone())?, program.call(declaration)))
     })?;
+    if !arguments.chosen.set.is_empty() {
+        let set = program.all(page)?.into_iter();
+        declared.iter_mut().zip(set).for_each(|((parts, _), set)| parts.values = set.values);
+    }
     let mut pages = Vec::new();
-    for ((mut parts, text), set) in declared.into_iter().zip(set) {
-        parts.values = set.values;
-        pages.push((format!("{}.html", parts.name), written(&parts, &text, arguments)?));
+    for (parts, text) in &declared {
+        pages.push((format!("{}.html", parts.name), written(parts, text, arguments)?));
     }
     let Target { output, stale } = &arguments.target;
     let is_folder =
@@ -56,17 +58,17 @@ fn wishes(parts: &PageParts, arguments: &Page) -> Result<Wishes, Failure> {
         [&parts.inputs, &parts.params, &parts.loads].map(|text| known(text));
     let all = [&inputs[..], &params, &loads].concat();
     let between = arguments.between.iter().map(|text| {
-        let setting = Setting::read("between", text)?;
+        let setting = FlagValue::read("between", text)?;
         let nth = setting.of(&all, "input, parameter or load")?;
         Ok((setting.name.to_string(), setting.ends(all[nth])?))
     });
     let rates = arguments.rate.iter().map(|text| {
-        let setting = Setting::read("rate", text)?;
+        let setting = FlagValue::read("rate", text)?;
         let nth = setting.of(&inputs, "input")?;
         Ok((setting.name.to_string(), setting.rate(inputs[nth])?))
     });
     let given = arguments.load.iter().map(|text| {
-        let setting = Setting::read("load", text)?;
+        let setting = FlagValue::read("load", text)?;
         let nth = setting.of(&loads, "load")?;
         Ok((setting.name.to_string(), setting.value(loads[nth])?))
     });

@@ -27,13 +27,13 @@ pub(crate) fn known(settings: &str) -> Vec<Known<'_>> {
 
 /// A flag that sets something, and what it is given.
 #[derive(Clone, Copy)]
-pub(crate) struct Setting<'a> {
+pub(crate) struct FlagValue<'a> {
     flag: &'a str,
     pub name: &'a str,
     text: &'a str,
 }
 
-impl<'a> Setting<'a> {
+impl<'a> FlagValue<'a> {
     /// # Errors
     /// What holds no `=`.
     pub(crate) fn read(flag: &'a str, given: &'a str) -> Result<Self, Failure> {

@@ -135,10 +135,11 @@ pub fn fmu(source: TokenStream, is_kinematic: bool) -> Result<Vec<File>, Vec<Dia
 /// The mistakes in the declaration, in the order of the source.
 pub fn page(source: TokenStream) -> Result<PageParts, Vec<Diagnostic>> {
     let _atoms = AtomScope::begin();
-    let mechanism = understood(source)?;
+    let (mechanism, notes) = understood(source)?;
     let (program, placing) = (program(&mechanism), placing(&mechanism));
     let lowered = lower::lower(&mechanism, &program);
-    Ok(PageParts::of(&mechanism, &lowered, &lower::lower_placing(&mechanism, &placing)))
+    let placing = lower::lower_placing(&mechanism, &placing);
+    Ok(PageParts { notes, ..PageParts::of(&mechanism, &lowered, &placing) })
 }
 
 /// A value that is written as in a declaration: `90mm`, `-30deg`, `2 * pi`, `12(rad/s)`.
@@ -162,23 +163,13 @@ pub struct WrittenValue {
 /// assert!(linkage_compiler::quantity("90 mm mm").is_err());
 /// ```
 pub fn quantity(text: &str) -> Result<WrittenValue, Vec<String>> {
-    let source = format!("struct Value {{ param value = {text}; }}");
-    // A bracket that closes too early would end the declaration.
-    let tokens: TokenStream = match (text.parse::<TokenStream>(), source.parse()) {
-        (Ok(_), Ok(tokens)) => tokens,
-        _ => return Err(vec![format!("`{text}` is no value")]),
-    };
     let _atoms = AtomScope::begin();
-    let mut diagnostics = Diagnostics::new();
-    let tree = syntax::parse(tokens, &mut diagnostics);
-    let is_alone = tree.as_ref().is_some_and(|tree| tree.statements.len() == 1);
-    let found = tree.and_then(|tree| model::quantity(&tree, &mut diagnostics)).filter(|_| is_alone);
-    match (found, diagnostics.finish()) {
-        (Some((dimension, value)), Ok(())) => {
+    match model::written_value(text) {
+        Ok((value, dimension)) => {
             Ok(WrittenValue { value: value.to_f64(), unit: unit(dimension, Order::Position) })
         }
-        (_, Err(Failure(mistakes))) => Err(mistakes.iter().map(Diagnostic::text).collect()),
-        (None, Ok(())) => Err(vec![format!("`{text}` is no value")]),
+        Err(mistakes) if mistakes.is_empty() => Err(vec![format!("`{text}` is no value")]),
+        Err(mistakes) => Err(mistakes.iter().map(Diagnostic::text).collect()),
     }
 }
 
@@ -198,7 +189,7 @@ pub fn quantity(text: &str) -> Result<WrittenValue, Vec<String>> {
 /// ```
 pub fn report(source: TokenStream, options: &ReportOptions) -> Result<Report, Vec<Diagnostic>> {
     let _atoms = AtomScope::begin();
-    let mechanism = understood(source.clone())?;
+    let (mechanism, _) = understood(source.clone())?;
     let (program, mut diagnostics) = (program(&mechanism), Diagnostics::new());
     let lowered = lower::lower(&mechanism, &program);
     let made = report::of(&mechanism, (&program, &lowered), &source, options, &mut diagnostics);
@@ -206,12 +197,13 @@ pub fn report(source: TokenStream, options: &ReportOptions) -> Result<Report, Ve
     Ok(made.expect("a report that is not made says why"))
 }
 
-/// The mechanism of a declaration without mistakes.
-fn understood(source: TokenStream) -> Result<Mechanism, Vec<Diagnostic>> {
+/// The mechanism of a declaration without mistakes, and the remarks on it.
+fn understood(source: TokenStream) -> Result<(Mechanism, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut diagnostics = Diagnostics::new();
     let (_, resolved) = read(source, &mut diagnostics);
+    let notes = diagnostics.take_notes();
     match (resolved, diagnostics.finish()) {
-        (Some(Ok(mechanism)), Ok(())) => Ok(mechanism),
+        (Some(Ok(mechanism)), Ok(())) => Ok((mechanism, notes)),
         (_, Err(Failure(diagnostics))) => Err(diagnostics),
         (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
     }
@@ -224,7 +216,7 @@ fn printed(
     finish: impl FnOnce(&Mechanism, &lower::routine::Lowered<'_>, Vec<File>) -> Vec<File>,
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
     let _atoms = AtomScope::begin();
-    let mechanism = understood(source)?;
+    let (mechanism, _) = understood(source)?;
     let (program, mut diagnostics) = (program(&mechanism), Diagnostics::new());
     let selection = Selection::of(&mechanism, &program, only, &mut diagnostics);
     diagnostics.finish().map_err(|Failure(mistakes)| mistakes)?;

@@ -92,14 +92,17 @@ fn unreadable(text: &str, error: &LexError) -> Value {
 }
 
 fn checked(text: &str, declaration: TokenStream) -> Value {
-    let output = compile(declaration.clone(), &Options::default());
-    let all = output.diagnostics.iter().chain(&output.notes);
-    let messages: Vec<Value> = all.map(|found| message(text, found)).collect();
-    if !output.diagnostics.is_empty() {
-        return json!({ "messages": messages });
+    let told = |found: &[Diagnostic]| -> Vec<Value> {
+        found.iter().map(|found| message(text, found)).collect()
+    };
+    match linkage_compiler::page(declaration) {
+        Err(mistakes) => json!({ "messages": told(&mistakes) }),
+        Ok(parts) => json!({
+            "messages": told(&parts.notes),
+            "name": parts.name,
+            "page": page(&parts, text),
+        }),
     }
-    let parts = linkage_compiler::page(declaration).expect("it has no mistake");
-    json!({ "messages": messages, "name": parts.name, "page": page(&parts, text) })
 }
 
 /// The page of a machine.

@@ -94,7 +94,9 @@ mod uses;
 #[cfg(test)]
 mod tests;
 
-use crate::diagnostics::Diagnostics;
+use proc_macro2::TokenStream;
+
+use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::Exact;
 use crate::model::drawn_links::DrawnLinks;
 use crate::model::mechanism::{Dimension, Mechanism, ParamKind};
@@ -102,6 +104,7 @@ use crate::model::scope::Scope;
 use crate::model::statements::contacts;
 use crate::model::statements::output;
 use crate::model::statements::unknowns;
+use crate::syntax;
 use crate::syntax::tree::Declaration;
 
 pub(crate) use statements::drive_by::load_does_no_work;
@@ -126,18 +129,28 @@ pub(crate) fn resolve(
     }
 }
 
-/// The first parameter's default in a declaration that holds nothing else; `None` where it was reported.
-pub(crate) fn quantity(
-    tree: &Declaration,
-    diagnostics: &mut Diagnostics,
-) -> Option<(Dimension, Exact)> {
-    let mut scope = begun::scope(tree, &tree.unread, diagnostics);
-    statement_walk::statements(&mut scope, tree);
-    let is_clean = scope.diagnostics.count() == 0;
-    match &scope.mechanism.params.first().filter(|_| is_clean)?.kind {
-        ParamKind::Number { dimension, default, .. } => Some((*dimension, default.clone())),
-        ParamKind::Mode { .. } => None,
-    }
+/// A value that is written as the default of a parameter, and its dimension.
+///
+/// # Errors
+/// The mistakes in it; none where it is no value at all.
+pub(crate) fn written_value(text: &str) -> Result<(Exact, Dimension), Vec<Diagnostic>> {
+    let source = format!("struct Value {{ param value = {text}; }}");
+    // A bracket that closes too early would end the declaration.
+    let (Ok(_), Ok(tokens)) = (text.parse::<TokenStream>(), source.parse()) else {
+        return Err(Vec::new());
+    };
+    let mut diagnostics = Diagnostics::new();
+    let found = syntax::parse(tokens, &mut diagnostics).and_then(|tree| {
+        let mut scope = begun::scope(&tree, &tree.unread, &mut diagnostics);
+        statement_walk::statements(&mut scope, &tree);
+        let param = scope.mechanism.params.pop().filter(|_| tree.statements.len() == 1)?;
+        match param.kind {
+            ParamKind::Number { dimension, default, .. } => Some((default, dimension)),
+            ParamKind::Mode { .. } => None,
+        }
+    });
+    diagnostics.finish().map_err(|Failure(mistakes)| mistakes)?;
+    found.ok_or_else(Vec::new)
 }
 
 /// The stub that the declaration would have if it had mistakes.

@@ -1,22 +1,20 @@
 //! The questions of a report: entry points, ranges, rates and numbers, from texts that are written as in the language.
 
-use proc_macro2::TokenStream;
-use quote::quote;
 use syn::ext::IdentExt;
 
 use super::ReportOptions;
-use crate::diagnostics::{Diagnostics, Failure, nearest};
+use crate::diagnostics::{Diagnostics, nearest};
 use crate::exact::Exact;
 use crate::interface::EntryId;
 use crate::interface::entries::{Analysis, Topic};
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::lower::routine::Lowered;
+use crate::model;
 use crate::model::mechanism::{Dimension, Mechanism, ParamKind, Sign};
 use crate::prove::outward::OutwardInterval;
 use crate::prove::premises::{Leaf, Premises};
 use crate::prove::sloped::INPUTS;
-use crate::{model, syntax};
 
 /// See the module's documentation.
 pub(crate) struct Asked {
@@ -310,25 +308,8 @@ fn value(text: &str, wanted: Dimension) -> Result<Exact, String> {
 
 /// A value as a parameter's default is written, and its dimension.
 fn quantity(text: &str) -> Result<(Exact, Dimension), String> {
-    let tokens: TokenStream = text.parse().map_err(|_| "it is not made of tokens".to_string())?;
-    let declaration = quote!(
-        struct Value {
-            input t: angle;
-            param value = #tokens;
-            ground A(0, 0);
-            crank AB(A) -> B { length: 1m, angle: t }
-        }
-    );
-    let mut diagnostics = Diagnostics::new();
-    let tree = syntax::parse(declaration, &mut diagnostics);
-    let mechanism = tree.and_then(|tree| model::resolve(&tree, &mut diagnostics).ok());
-    if let Err(Failure(mistakes)) = diagnostics.finish() {
-        let first = mistakes.first().map(|mistake| mistake.message.clone());
-        return Err(first.unwrap_or_default());
-    }
-    let param = mechanism.and_then(|mechanism| mechanism.params.into_iter().next());
-    match param.map(|param| param.kind) {
-        Some(ParamKind::Number { dimension, default, .. }) => Ok((default, dimension)),
-        _ => Err("it is not a number".to_string()),
-    }
+    model::written_value(text).map_err(|mistakes| {
+        let first = mistakes.into_iter().next().map(|mistake| mistake.message);
+        first.unwrap_or_else(|| "it is not a number".to_string())
+    })
 }

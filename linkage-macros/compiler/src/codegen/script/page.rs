@@ -9,6 +9,7 @@ use crate::codegen::docs::words;
 use crate::codegen::identifiers::text;
 use crate::codegen::rust::context::Context;
 use crate::codegen::rust::solver::held;
+use crate::diagnostics::Diagnostic;
 use crate::interface::force_records;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
@@ -38,6 +39,8 @@ pub struct PageParts {
     pub outputs: String,
     /// The parameters' defaults; of a mode +1 or −1.
     pub values: Vec<f64>,
+    /// The remarks on the declaration, in the order of the source.
+    pub notes: Vec<Diagnostic>,
 }
 
 impl PageParts {
@@ -68,6 +71,7 @@ impl PageParts {
             loads: loads.collect(),
             outputs: shown(mechanism).join("\n"),
             values: values.collect(),
+            notes: Vec::new(),
         }
     }
 }
