@@ -1,12 +1,15 @@
-//! Static solvers for planar mechanisms.
+//! Exact, static solvers for planar mechanisms, from a drawing of pins and links.
 //!
-//! A mechanism is declared by [`mechanism!`] the way it is built, a driver and then Assur groups, or
-//! as it is drawn, and compiled to straight-line code for position, velocity and acceleration. Only unknowns, by which
-//! groups of class III are solved, friction and a [`Tracker`] iterate. This crate is what the generated code runs on: the numbers, the
-//! results, the errors.
+//! [`mechanism!`] takes a machine as it is drawn, or cut by hand into a driver and Assur groups, and generates a solver
+//! for its position, velocity, acceleration and forces: straight-line code without heap or panic. Only unknowns, by
+//! which groups of class III are solved, friction and a [`Tracker`] iterate. This crate is what the generated code runs
+//! on: the numbers, the results, the errors.
 //!
-//! **[The reference](crate::reference)** has [the language](reference::language),
-//! [what is generated](reference::solver) and [recipes](reference::recipes).
+//! **[The reference](crate::reference)** begins with a first machine in [Rust](reference::start_in_rust),
+//! [C](reference::start_in_c) or [a browser](reference::start_in_a_browser), and has every
+//! [statement](reference::language), [what is generated](reference::solver), [forces](reference::forces),
+//! [friction](reference::friction), and [recipes](reference::recipes) to copy. The program `linkage` prints
+//! [C99 and FMUs](reference::control) of the same declarations, and proves their rounding errors.
 //!
 //! # A mechanism
 //!
@@ -22,9 +25,10 @@
 //!
 //!         ground A(0, 0);
 //!         guide bed through (0, 12mm) along 0deg;
-//!
-//!         crank AB(A) -> B          { length: 50mm, angle: theta }
-//!         rrp   BC(B), ram(bed) -> C { length: rod, mode: ahead }
+//!         pin B(0, 50mm), C(200mm, 12mm);
+//!         link AB(A, B), ram(C) on bed;
+//!         link BC(B, C) { length: rod }
+//!         drive AB.angle = theta;
 //!
 //!         output ram.slide, BC.angle;
 //!     }
@@ -79,23 +83,10 @@
 //!
 //! # Called from C
 //!
-//! With `export c;` in the declaration every entry point is also a C function, for `double` and,
-//! with `_f32` at the end of its name, for `float`; the constant `C_HEADER` of the generated struct
-//! is the text of the header, which a build script can write from the same declaration
-//! ([control code](reference::control)). A function returns a status, 0 where there is an answer, and fills in
-//! a `LinkageError` where it is given one: the group, what is to blame, and for
-//! [`SolveError::OutOfReach`] the missing distance. A null pointer, a number that is not finite and
-//! a mode that is none are statuses as well; after any of them the answer is left as it was.
-//!
-//! No other statement generates unsafe code. This one marks the functions `#[unsafe(no_mangle)]`,
-//! since C has one name space for all, and follows raw pointers: it reads the parameters and
-//! inputs that C points to, and writes the answer and the error. Each is tested for null first;
-//! that it points to what its type says is C's to keep, as ever. A crate that forbids unsafe code
-//! cannot export.
-//!
-//! A static library without the standard library needs a panic handler of yours, which nothing
-//! reaches, `panic = "abort"` in its profile, and a linker that drops what is not called (gcc's
-//! `-Wl,--gc-sections`).
+//! With `export c;` in the declaration every entry point is also a C function, for `double` and for `float`
+//! ([control code](reference::control#from-c)). No other statement generates unsafe code. This one marks the functions
+//! `#[unsafe(no_mangle)]` and follows raw pointers, each of which is tested for null first; that it points to what its
+//! type says is C's to keep. A crate that forbids unsafe code cannot export.
 //!
 //! # Features
 //!

@@ -2,21 +2,52 @@
 //!
 //! | page | what is on it |
 //! |---|---|
-//! | [`language`] | how a machine is cut into Assur groups; every statement; frames and signs |
+//! | [`start_in_a_browser`] | the first machine without Rust: drag it, change it, save C or an FMU; from PMKS+, SAM, pylinkage |
+//! | [`start_in_c`] | the first machine in C99: `cc`, then a declaration of your own |
+//! | [`start_in_rust`] | the first machine in a Rust program |
+//! | [`language`] | machines as they are drawn, and cut into Assur groups; every statement; frames and signs |
 //! | [`figures`] | the statements drawn: frames, signs, dimensions, modes |
 //! | [`expressions`] | numbers, units, functions, what an expression can read |
-//! | [`forces`] | masses and loads; efforts of drives and reactions of joints |
+//! | [`forces`] | masses and loads; efforts of drives and reactions of joints; motion from forces |
+//! | [`friction`] | friction in joints: forces, motion, holding bands, self-locking |
 //! | [`solver`] | what is generated and how it is called; errors, sweeps, derivatives |
 //! | [`recipes`] | parallelograms, cylinders, gears, inversors, engines, suspensions |
-//! | [`control`] | without the standard library; from C |
+//! | [`control`] | C99 and FMUs printed by the program `linkage`; without the standard library; from C |
 //! | [`robots`] | closed loops between motors and joints, both ways |
 //! | [`measurements`] | accuracy, speed and size, with the commands that measure them |
 //!
-//! Start with [`language`] down to the table of statements and copy a machine from [`recipes`]. Look the
-//! rest up.
+//! Begin with one of the three starts, and copy a machine from [`recipes`]. Look the rest up.
 //!
 //! These modules hold documentation alone; the files are `docs/*.md` of the crate, whose links lead to
 //! each other there and, by the definitions that come first, to items here.
+
+pub mod start_in_a_browser {
+    //! [In C]: super::start_in_c
+    //! [Recipes]: super::recipes
+    //! [Statements]: super::language
+    //! [forces]: super::forces
+    //! [in Rust]: super::start_in_rust
+    //!
+    #![doc = include_str!("../docs/start_in_a_browser.md")]
+}
+
+pub mod start_in_c {
+    //! [In C, without Rust]: super::control
+    //! [Recipes]: super::recipes
+    //! [Statements]: super::language
+    //! [forces]: super::forces
+    //!
+    #![doc = include_str!("../docs/start_in_c.md")]
+}
+
+pub mod start_in_rust {
+    //! [control code]: super::control#without-the-standard-library
+    //! [forces]: super::forces
+    //! [sweeps]: super::solver
+    //! [the solver]: super::solver
+    //!
+    #![doc = include_str!("../docs/start_in_rust.md")]
+}
 
 pub mod language {
     //! [control]: super::control

@@ -7,8 +7,19 @@ use proc_macro::TokenStream;
 ///
 /// ```text
 /// mechanism! {
-///     /// Strip-mill flying shear.
+///     /// Strip-mill flying shear, as it is drawn.
 ///     pub struct FlyingShear {
+///         input theta: angle;
+///         ground A(0, 0), D(665.7mm, 0);
+///         pin  B(80mm, 0), C(600mm, 360mm), blade(570mm, 90mm);
+///         link AB(A, B), BC(B, C, blade), DC(D, C);
+///         drive AB.angle = theta;
+///     }
+/// }
+///
+/// mechanism! {
+///     /// The same kind of machine, cut into a driver and a dyad.
+///     pub struct ByHand {
 ///         input theta: angle;
 ///         ground A(0, 0), D(665.7mm, 0);
 ///         crank AB(A) -> B        { length: 80mm, angle: theta }

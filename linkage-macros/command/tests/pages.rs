@@ -83,7 +83,11 @@ fn parts_of_declarations_compile() {
         let page = page(path);
         for block in blocks(&page) {
             let is_formula = block.starts_with("B = K + yoke.slide");
-            if is_formula || block.starts_with("error: ") || block.starts_with("cargo ") {
+            if is_formula
+                || block.starts_with("error: ")
+                || block.starts_with("cargo ")
+                || block.starts_with("mechanism! {")
+            {
                 continue;
             }
             let around = AROUND.iter().find(|around| block.starts_with(around.begins));
