@@ -14,6 +14,7 @@
 //! | [`recipes`] | parallelograms, cylinders, gears, inversors, engines, suspensions |
 //! | [`control`] | C99 and FMUs printed by the program `linkage`; without the standard library; from C |
 //! | [`robots`] | closed loops between motors and joints, both ways |
+//! | [`method`] | formulas of the five dyads, limits, searches, forces, how errors are measured, literature |
 //! | [`measurements`] | accuracy, speed and size, with the commands that measure them |
 //!
 //! Begin with one of the three starts, and copy a machine from [`recipes`]. Look the rest up.
@@ -177,6 +178,10 @@ pub mod robots {
     //! [`limits`]: crate::range::limits()
     //!
     #![doc = include_str!("../docs/robots.md")]
+}
+
+pub mod method {
+    #![doc = include_str!("../docs/method.md")]
 }
 
 pub mod measurements {
