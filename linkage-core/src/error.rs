@@ -85,7 +85,7 @@ impl fmt::Display for SolveError {
                 write!(f, "{group}: its ends meet, and it has no direction")
             }
             Self::Singular { group } => {
-                write!(f, "{group}: at a dead point, where this is undefined")
+                write!(f, "{group}: undefined in this pose, at a limit or a dead point")
             }
             Self::NoSolution { unknown, other: Some(Crossing { trend, at }), .. } => {
                 let (wanted, found) = (trend.flipped().participle(), trend.verb());

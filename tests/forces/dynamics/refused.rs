@@ -21,7 +21,7 @@ fn a_dead_point_of_the_input_is_singular() {
     assert_eq!(machine.state_rates([FRAC_PI_2, 1.0], 0.0), Err(dead));
     let (_, usable) = machine.solve_forward_dynamics(FRAC_PI_2, 1.0, 0.0);
     assert!(!usable);
-    assert_eq!(dead.to_string(), "BC, DC: at a dead point, where this is undefined");
+    assert_eq!(dead.to_string(), "BC, DC: undefined in this pose, at a limit or a dead point");
     // Beyond it there is no pose.
     let beyond = machine.forward_dynamics(FRAC_PI_2 + 1e-9, 0.0, 1.0);
     assert!(matches!(beyond, Err(SolveError::OutOfReach { group: "BC, DC", .. })), "{beyond:?}");

@@ -178,7 +178,7 @@ const why = (error) => {
   const { kind, group, by, name } = error, own = REASONS[kind]?.(error);
   if (own) return own;
   if (kind === "OutOfReach") return `${group} cannot be assembled: ${words(by, "m")} are missing`;
-  if (kind === "Singular") return `${group}: at a dead point, where this is undefined`;
+  if (kind === "Singular") return `${group}: undefined in this pose, at a limit or a dead point`;
   if (kind === "NotFinite") return `${group} leads to a result that is not finite`;
   const mayBeZero = group.startsWith("spring ") || /^(mass|inertia) on /.test(name);
   return `${group}: ${name} must ${mayBeZero ? "not be negative" : "be greater than zero"}`;
