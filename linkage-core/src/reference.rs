@@ -5,6 +5,7 @@
 //! | [`start_in_a_browser`] | the first machine without Rust: drag it, change it, save C or an FMU; from PMKS+, SAM, pylinkage |
 //! | [`start_in_c`] | the first machine in C99: `cc`, then a declaration of your own |
 //! | [`start_in_rust`] | the first machine in a Rust program |
+//! | [`questions`] | fifty questions of newcomers, each with the heading that answers it |
 //! | [`language`] | machines as they are drawn, and cut into Assur groups; every statement; frames and signs |
 //! | [`figures`] | the statements drawn: frames, signs, dimensions, modes |
 //! | [`expressions`] | numbers, units, functions, what an expression can read |
@@ -48,6 +49,57 @@ pub mod start_in_rust {
     //! [the solver]: super::solver
     //!
     #![doc = include_str!("../docs/start_in_rust.md")]
+}
+
+pub mod questions {
+    //! [Controllers and simulators: In a simulator]: super::control#in-a-simulator
+    //! [Controllers and simulators: Without the standard library]: super::control#without-the-standard-library
+    //! [Forces]: super::forces#forces
+    //! [Forces: Forces that depend on the motion]: super::forces#forces-that-depend-on-the-motion
+    //! [Forces: From forces to motion]: super::forces#from-forces-to-motion
+    //! [Forces: Stops]: super::forces#stops
+    //! [Friction]: super::friction#friction
+    //! [Friction: Motion]: super::friction#motion
+    //! [Measurements: Proved errors]: super::measurements#proved-errors
+    //! [Measurements: Size]: super::measurements#size
+    //! [Measurements: Speed against error]: super::measurements#speed-against-error
+    //! [Method]: super::method
+    //! [Method: Limits]: super::method#limits
+    //! [Numbers and expressions: Numbers]: super::expressions#numbers
+    //! [Numbers and expressions: Operators and functions]: super::expressions#operators-and-functions
+    //! [Numbers and expressions: What an expression can read]: super::expressions#what-an-expression-can-read
+    //! [Recipes]: super::recipes
+    //! [Recipes: A hydraulic cylinder]: super::recipes#a-hydraulic-cylinder
+    //! [Recipes: A parallelogram]: super::recipes#a-parallelogram
+    //! [Recipes: Gears, belts, racks]: super::recipes#gears-belts-racks
+    //! [Robots: Loops in robots]: super::robots#loops-in-robots
+    //! [Start in C: A controller that is already there]: super::start_in_c#a-controller-that-is-already-there
+    //! [Start in C: Float or double?]: super::start_in_c#float-or-double
+    //! [Start in C: Your own machine]: super::start_in_c#your-own-machine
+    //! [Start in Rust: A four-bar]: super::start_in_rust#a-four-bar
+    //! [Start in a browser]: super::start_in_a_browser
+    //! [Start in a browser: From PMKS+, SAM, Linkage or pylinkage]: super::start_in_a_browser#from-pmks-sam-linkage-or-pylinkage
+    //! [Statements: Frames and signs]: super::language#frames-and-signs
+    //! [Statements: From a machine to its groups]: super::language#from-a-machine-to-its-groups
+    //! [Statements: Glossary]: super::language#glossary
+    //! [Statements: Set-points and groups of class III]: super::language#set-points-and-groups-of-class-iii
+    //! [Statements: drive]: super::language#drive
+    //! [Statements: guide]: super::language#guide
+    //! [Statements: input]: super::language#input
+    //! [Statements: link]: super::language#link
+    //! [Statements: output]: super::language#output
+    //! [Statements: param]: super::language#param
+    //! [Statements: point]: super::language#point
+    //! [Statements: rpr]: super::language#rpr
+    //! [Statements: rrr]: super::language#rrr
+    //! [Statements: unknown, solve]: super::language#unknown-solve
+    //! [The solver: Derivatives]: super::solver#derivatives
+    //! [The solver: Errors]: super::solver#errors
+    //! [The solver: Many poses]: super::solver#many-poses
+    //! [The solver: Searching]: super::solver#searching
+    //! [The solver: What a declaration generates]: super::solver#what-a-declaration-generates
+    //!
+    #![doc = include_str!("../docs/questions.md")]
 }
 
 pub mod language {
