@@ -2,11 +2,12 @@
 
 use std::path::Path;
 use std::string::String;
+use std::vec::Vec;
 
 use super::by_name::{self, LinkPose};
 use super::options::Options;
 use super::picture::Picture;
-use super::plan::{Drawn, PlanOf};
+use super::plan::{Drawn, Plan, PlanOf};
 use super::scene::Scene;
 use super::sketch_error::SketchError;
 use super::style::Theme;
@@ -68,6 +69,15 @@ impl Sketch {
         let mut scene = Scene::new(&PlanOf::<S>::PLAN);
         scene.push(solver.place(q)?, None);
         Ok(Self { scene, options: Options::default() })
+    }
+
+    /// The pose of a plan whose numbers are known; programs without generated code call it.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn placed(plan: &'static Plan, numbers: Vec<f64>) -> Self {
+        let mut scene = Scene::new(plan);
+        scene.push(numbers, None);
+        Self { scene, options: Options::default() }
     }
 
     /// Where a point is, in metres in ground axes.

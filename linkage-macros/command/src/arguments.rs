@@ -10,8 +10,8 @@ const FLAGS: &str = "\
 Wherever they apply:
   -o PATH                what is written: a folder where several files come, a file otherwise
   --machine NAME         one mechanism of several
-  --between theta=0..90deg, --rate theta=2, --load cut=1kN
-                         what is looked at: ranges, rates of inputs, loads
+  --between theta=0..90deg, --at theta=2rad, --rate theta=2, --load cut=1kN
+                         what is looked at: ranges, values and rates of inputs, loads
   --set crank=90mm       another value of a parameter than the declared one
   --only ENTRY,WIDTH,…   fewer entry points and widths, such as motion_at,f32
   --json                 what is told, as JSON
@@ -26,6 +26,7 @@ Wherever they apply:
 ///     linkage report shear.rs                     errors that are proved, in f32 and f64
 ///     linkage import machine.json -o machine.rs   a machine of PMKS+, pyslvs or pylinkage as a declaration
 ///     linkage page shear.rs -o shear.html         a page on which the machine is dragged
+///     linkage draw shear.rs -o shear.svg          a picture of a pose
 ///     linkage export c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
 ///     cc -std=c99 -O2 -c control/*.c
 ///     linkage export fmu press.rs -o press.fmu    a model for simulators, FMI 3.0
@@ -99,6 +100,14 @@ pub(crate) enum Command {
     /// It is one file that asks for nothing of the network. Values are written as in the language; bare ones are in SI units.
     #[command(verbatim_doc_comment)]
     Page(Page),
+    /// Draw a machine in one pose, as SVG
+    ///
+    ///     linkage draw shear.rs -o pose.svg
+    ///     linkage draw shear.rs -o pose.svg --at theta=120deg --set crank=90mm
+    ///
+    /// Without --at a drawn machine stands as its declaration draws it, and an angle is one radian.
+    #[command(verbatim_doc_comment)]
+    Draw(Draw),
     /// Print the solvers of a file as C99, as an FMU, or as Rust
     ///
     /// c: for each mechanism a header and a source, and once `linkage_run.h` and `linkage_run.c`, which all of them need;
@@ -238,6 +247,23 @@ pub(crate) struct Page {
     /// Outputs and forces whose curves are offered, the first one at first; all of them without this
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub curves: Vec<String>,
+}
+
+/// The arguments of `draw`.
+#[derive(Debug, Args)]
+pub(crate) struct Draw {
+    /// A Rust program, or a declaration
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub chosen: Chosen,
+    #[command(flatten)]
+    pub target: Target,
+    /// The value of an input
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub at: Vec<String>,
+    /// A heading
+    #[arg(long)]
+    pub title: Option<String>,
 }
 
 /// The arguments of `export`.

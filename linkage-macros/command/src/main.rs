@@ -5,6 +5,7 @@
 
 mod arguments;
 mod check;
+mod draw;
 mod export;
 mod fmu;
 mod import;
@@ -12,6 +13,7 @@ mod messages;
 mod output;
 mod page;
 mod parameters;
+mod pose;
 mod program;
 mod proof;
 mod report;
@@ -41,6 +43,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Report(arguments) => proof::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Page(arguments) => page::run(&arguments),
+        Command::Draw(arguments) => draw::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
     }
 }

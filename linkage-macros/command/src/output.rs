@@ -5,6 +5,7 @@ use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use crate::arguments::Target;
 use crate::style;
 
 /// The reason why nothing was done.
@@ -50,6 +51,25 @@ pub(crate) fn files(
         write(&path, text.as_bytes())?;
     }
     Ok(())
+}
+
+/// Writes what comes of a source: a single text to the file of the target or standard output, several into its folder or
+/// beside the source.
+pub(crate) fn texts(
+    target: &Target,
+    source: &Path,
+    made: Vec<(String, String)>,
+) -> Result<(), Failure> {
+    let Target { output, stale } = target;
+    let is_folder =
+        |path: &&PathBuf| path.is_dir() || path.as_os_str().to_string_lossy().ends_with('/');
+    match (&made[..], output.as_ref().filter(is_folder)) {
+        ([(_, made)], None) => text(output.as_deref(), made, *stale),
+        _ => {
+            let beside = source.parent().unwrap_or(Path::new(""));
+            files(output.as_deref().unwrap_or(beside), made.into_iter(), *stale)
+        }
+    }
 }
 
 /// Writes a text to a file or, without one, to standard output; or says that the file is stale.

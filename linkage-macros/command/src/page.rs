@@ -1,11 +1,9 @@
 //! The verb `page`: pages on which machines are dragged.
 
-use std::path::{Path, PathBuf};
-
 use linkage_compiler::{PageParts, page};
 use linkage_core::sketch::{Declared, Machine, Wishes, html};
 
-use crate::arguments::{Page, Target};
+use crate::arguments::Page;
 use crate::output::{self, Failure};
 use crate::program::Program;
 use crate::values::{FlagValue, known};
@@ -24,17 +22,7 @@ pub(crate) fn run(arguments: &Page) -> Result<(), Failure> {
     for (parts, text) in &declared {
         pages.push((format!("{}.html", parts.name), written(parts, text, arguments)?));
     }
-    let Target { output, stale } = &arguments.target;
-    let is_folder =
-        |path: &&PathBuf| path.is_dir() || path.as_os_str().to_string_lossy().ends_with('/');
-    let folder = output.as_ref().filter(is_folder);
-    match (&pages[..], folder) {
-        ([(_, page)], None) => output::text(output.as_deref(), page, *stale),
-        _ => {
-            let beside = arguments.file.parent().unwrap_or(Path::new(""));
-            output::files(output.as_deref().unwrap_or(beside), pages.into_iter(), *stale)
-        }
-    }
+    output::texts(&arguments.target, &arguments.file, pages)
 }
 
 /// The page of a mechanism.

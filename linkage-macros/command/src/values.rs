@@ -13,6 +13,16 @@ pub(crate) struct Known<'a> {
     /// The unit in which it is declared.
     unit: &'a str,
     is_mode: bool,
+    /// An input's value in the declared drawing.
+    drawn: Option<f64>,
+}
+
+impl Known<'_> {
+    /// The value at which an input is drawn where nothing is said: that of the declared drawing, one radian of an
+    /// angle without one.
+    pub(crate) fn first(&self) -> Option<f64> {
+        self.drawn.or((self.unit == "rad").then_some(1.0))
+    }
 }
 
 /// The settings of a text: `PageParts` says what a line holds.
@@ -20,7 +30,8 @@ pub(crate) fn known(settings: &str) -> Vec<Known<'_>> {
     let known = |line| {
         let mut parts = str::split(line, '\t');
         let (name, unit, size) = (parts.next()?, parts.next()?, parts.next()?);
-        Some(Known { name, unit, is_mode: size.parse::<f64>().is_err() })
+        let drawn = parts.nth(1).and_then(|drawn| drawn.parse().ok());
+        Some(Known { name, unit, is_mode: size.parse::<f64>().is_err(), drawn })
     };
     settings.lines().filter_map(known).collect()
 }

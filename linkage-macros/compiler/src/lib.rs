@@ -86,9 +86,14 @@ mod report;
 mod syntax;
 
 pub use blocks::declarations;
+pub use codegen::drawn_plan::{PlanMember, PlanParts, PlanSpring, PlanStatement};
 pub use codegen::script::page::PageParts;
 pub use diagnostics::{Diagnostic, Level};
-pub use pipeline::{File, Options, Output, WrittenValue, c, compile, fmu, page, quantity, report};
+pub use ir::placed::{Condition, Conditions, Sought};
+pub use pipeline::{
+    DrawnPose, File, Options, Output, WrittenValue, c, compile, drawing, fmu, page, quantity,
+    report,
+};
 pub use report::{
     BoundReport, EntryReport, LimitReport, OperationsReport, RangeReport, Report, ReportOptions,
     ResultReport, TransmissionReport,

@@ -4,15 +4,18 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 
 use crate::codegen::Drawing;
 use crate::codegen::c::selection::Selection;
+use crate::codegen::drawn_plan::PlanParts;
 use crate::codegen::script::page::PageParts;
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::AtomScope;
 use crate::interface::Interface;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
+use crate::ir::interpret::ProgramValues;
+use crate::ir::placed::{Conditions, UnknownWords, placed};
 use crate::ir::program::Program;
 use crate::model::Stub;
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Mechanism, Param};
 use crate::report::{self, Report, ReportOptions};
 use crate::syntax::tree::Declaration;
 use crate::{codegen, equations, lower, model, passes, syntax};
@@ -140,6 +143,51 @@ pub fn page(source: TokenStream) -> Result<PageParts, Vec<Diagnostic>> {
     let lowered = lower::lower(&mechanism, &program);
     let placing = lower::lower_placing(&mechanism, &placing);
     Ok(PageParts { notes, ..PageParts::of(&mechanism, &lowered, &placing) })
+}
+
+/// A mechanism in one pose, as it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct DrawnPose {
+    /// The names of all parts, and the statements that place them.
+    pub plan: PlanParts,
+    /// Where they are: two numbers a point, five a link (origin, cosine and sine, slide), four a guide, then the
+    /// lengths and offsets of groups.
+    pub numbers: Vec<f64>,
+}
+
+/// Computes where the parts of a mechanism stand at these inputs, with parameters at their defaults: the pose that
+/// `sketch` of the generated solver draws. `conditions` are the run-time's.
+///
+/// # Errors
+/// The mistakes in the declaration, in the order of the source.
+///
+/// # Panics
+/// If there are fewer inputs than the declaration has.
+pub fn drawing(
+    source: TokenStream,
+    inputs: &[f64],
+    conditions: &mut dyn Conditions,
+) -> Result<DrawnPose, Vec<Diagnostic>> {
+    let _atoms = AtomScope::begin();
+    let (mechanism, _) = understood(source)?;
+    let program = placing(&mechanism);
+    let unknowns = mechanism.unknowns.iter().map(|unknown| UnknownWords {
+        title: mechanism.title_of_unknown(unknown).to_string(),
+        unit: unit(unknown.measure, Order::Position),
+        asks_for_a_turn: unknown.dimension.angle
+            && unknown.between.iter().any(|end| end.constant().is_none()),
+    });
+    let unknowns: Vec<_> = unknowns.collect();
+    let given = ProgramValues {
+        inputs: inputs.iter().map(|&q| [q, 0.0, 0.0]).collect(),
+        params: mechanism.params.iter().map(Param::default_value).collect(),
+        loads: vec![0.0; mechanism.dynamics.loads.len()],
+        drives: vec![0.0; mechanism.inputs.len()],
+        unit: None,
+    };
+    let numbers = placed(&program, &given, &unknowns, conditions);
+    Ok(DrawnPose { plan: PlanParts::of(&mechanism), numbers })
 }
 
 /// A value that is written as in a declaration: `90mm`, `-30deg`, `2 * pi`, `12(rad/s)`.

@@ -8,3 +8,4 @@ mod contents;
 mod hard;
 mod machines;
 mod numbers;
+mod program;

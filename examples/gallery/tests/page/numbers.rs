@@ -12,7 +12,7 @@ use linkage_core::private::Solver;
 use linkage_core::sketch::{Drawn, Film, Paged, SketchError};
 use linkage_core::{Record, SolveError};
 
-use super::{contents, hard};
+use super::{contents, hard, program};
 
 /// On a target with fused operations the solver rounds otherwise than a script can: then numbers may differ by
 /// four units in the last place of the pose's largest.
@@ -108,6 +108,7 @@ where
     <S as Solver>::Input: 'static,
 {
     contents::is_printed_by_the_compiler_alone(&solver(&mut Random(1)));
+    program::writes_the_same(&solver(&mut Random(2)), ends, &mut Random(name.len() as u64));
     let (_, html) = pages.iter().find(|(own, _)| *own == name).expect("it has a page").clone();
     let (mut random, mut lines) = (Random(name.len() as u64), String::new());
     for _ in 0..POSES {

@@ -1,11 +1,13 @@
 //! The plan by which a mechanism is drawn: its names, and the statements that place them, for every language.
 
+use super::docs::words;
 use super::identifiers::text;
 use crate::model::acting::{Ends, Force, Spring};
 use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Slideway, Step};
 
 /// A statement, every part by its place among the names.
-pub(super) enum PlanStatement {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PlanStatement {
     /// A fixed point.
     Ground(u32),
     /// A guide, and the link that carries it.
@@ -17,23 +19,62 @@ pub(super) enum PlanStatement {
 }
 
 /// A link of a group.
-pub(super) struct PlanMember {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlanMember {
+    /// The link.
     pub link: u32,
     /// The point that it turns about.
     pub pivot: Option<u32>,
     /// The guide that it slides on.
     pub guide: Option<u32>,
-    /// The word for its shape.
+    /// The word for its shape: `bar`, `cylinder`, `body`, `block`, `sleeve`, `slotted_bar` or `yoke`.
     pub shape: &'static str,
     /// True if an input turns it against the ground.
     pub is_turned: bool,
 }
 
 /// A spring, a damper, or both, between two points.
-pub(super) struct PlanSpring {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlanSpring {
+    /// Its ends.
     pub ends: [u32; 2],
     /// Two flags: it has a stiffness, and it has a damping.
     pub kinds: [bool; 2],
+}
+
+/// The plan of a mechanism: its names, and the statements that place them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct PlanParts {
+    /// The mechanism's name.
+    pub name: String,
+    /// Its doc comment, in one line.
+    pub docs: String,
+    /// The points' names.
+    pub points: Vec<String>,
+    /// The links' names.
+    pub links: Vec<String>,
+    /// The guides' names.
+    pub guides: Vec<String>,
+    /// The statements that place them, in solving order.
+    pub statements: Vec<PlanStatement>,
+    /// Springs and dampers between two points.
+    pub springs: Vec<PlanSpring>,
+}
+
+impl PlanParts {
+    pub(crate) fn of(mechanism: &Mechanism) -> Self {
+        let [points, links, guides] = names(mechanism);
+        Self {
+            name: text(&mechanism.name),
+            docs: words(&mechanism.docs),
+            points,
+            links,
+            guides,
+            statements: statements(mechanism).collect(),
+            springs: springs(mechanism).collect(),
+        }
+    }
 }
 
 /// The names of points, links and guides.

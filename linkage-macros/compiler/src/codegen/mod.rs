@@ -16,7 +16,7 @@ mod arguments;
 pub(crate) mod c;
 mod docs;
 mod drawing;
-mod drawn_plan;
+pub(crate) mod drawn_plan;
 mod identifiers;
 mod printer;
 mod rust;

@@ -1,15 +1,19 @@
 //! Computes a program's values with any kind of number: the oracle for everything that rewrites
 //! programs. In real numbers a rounding error is zero and a fused operation is its two parts.
 
+#[cfg(test)]
 mod amounts;
 
 use crate::exact::Exact;
 use crate::function::Function;
 #[cfg(test)]
 use crate::ir::graph::Graph;
-use crate::ir::graph::{Id, Node, RootSearch, Target};
+use crate::ir::graph::{Id, Node};
+#[cfg(test)]
+use crate::ir::graph::{RootSearch, Target};
 #[cfg(test)]
 use crate::ir::implicit::Contacts;
+#[cfg(test)]
 use crate::ir::liveness::{trial_nodes, tried};
 use crate::ir::program::Program;
 
@@ -25,6 +29,7 @@ pub(crate) trait Number: Clone {
     fn of(function: Function, operands: &[&Self]) -> Self;
     fn is_at_least(&self, other: &Self) -> bool;
     /// The midpoint of what the number is known to lie in.
+    #[cfg(test)]
     fn point(&self) -> Self;
 
     fn sin(&self) -> Self {
@@ -34,9 +39,11 @@ pub(crate) trait Number: Clone {
         Self::of(Function::Cos, &[self])
     }
     /// The angle of the vector (x, self).
+    #[cfg(test)]
     fn atan2(&self, x: &Self) -> Self {
         Self::of(Function::Atan2, &[self, x])
     }
+    #[cfg(test)]
     fn hypot(&self, other: &Self) -> Self {
         Self::of(Function::Hypot, &[self, other])
     }
@@ -67,6 +74,7 @@ impl<N: Number> ProgramValues<N> {
 }
 
 /// The value of every node.
+#[cfg(test)]
 pub(crate) fn interpret<N: Number>(program: &Program, given: &ProgramValues<N>) -> Vec<N> {
     let graph = &program.graph;
     let tried = tried(graph);
@@ -121,6 +129,7 @@ pub(crate) fn amounts<N: Number>(contacts: &Contacts, operands: &[&N]) -> Option
 
 /// Newton's method from where the root is expected, or from the middle: declarations of tests are
 /// such that it converges.
+#[cfg(test)]
 fn root<N: Number>(
     program: &Program,
     given: &ProgramValues<N>,
@@ -153,6 +162,7 @@ fn root<N: Number>(
 }
 
 /// The middle of a small interval around the root, at whose ends the equation changes its sign.
+#[cfg(test)]
 fn halved<N: Number>(
     program: &Program,
     given: &ProgramValues<N>,
@@ -181,12 +191,14 @@ fn halved<N: Number>(
 }
 
 /// Enough for Newton's method to converge.
+#[cfg(test)]
 const HALVINGS: usize = 16;
 
 /// More than Newton's method takes to a hundred digits from the first.
+#[cfg(test)]
 const STEPS: usize = 14;
 
-fn value<N: Number>(
+pub(super) fn value<N: Number>(
     program: &Program,
     given: &ProgramValues<N>,
     values: &[N],
@@ -219,3 +231,58 @@ fn value<N: Number>(
         Node::Solved(..) => unreachable!("solved by itself"),
     }
 }
+
+/// Floats, in which a group out of reach is not a number.
+macro_rules! floats {
+    ($($float:ident)+) => {$(
+impl Number for $float {
+    #[cfg(test)]
+    fn point(&self) -> Self {
+        *self
+    }
+    fn exact(value: &Exact) -> Self {
+        value.to_f64() as Self
+    }
+    fn neg(&self) -> Self {
+        -self
+    }
+    fn add(&self, other: &Self) -> Self {
+        self + other
+    }
+    fn sub(&self, other: &Self) -> Self {
+        self - other
+    }
+    fn mul(&self, other: &Self) -> Self {
+        self * other
+    }
+    fn div(&self, other: &Self) -> Self {
+        self / other
+    }
+    fn of(function: Function, operands: &[&Self]) -> Self {
+        match (function, operands) {
+            (Function::Sqrt, [x]) => Self::sqrt(**x),
+            (Function::Sin, [x]) => Self::sin(**x),
+            (Function::Cos, [x]) => Self::cos(**x),
+            (Function::Hypot, [x, y]) => Self::hypot(**x, **y),
+            (Function::Atan2, [y, x]) => Self::atan2(**y, **x),
+            (Function::Tan, [x]) => Self::tan(**x),
+            (Function::Asin, [x]) => Self::asin(**x),
+            (Function::Acos, [x]) => Self::acos(**x),
+            (Function::Atan, [x]) => Self::atan(**x),
+            (Function::Exp, [x]) => Self::exp(**x),
+            (Function::Ln, [x]) => Self::ln(**x),
+            (Function::Tanh, [x]) => Self::tanh(**x),
+            (Function::Pow, [x, y]) => Self::powf(**x, **y),
+            other => unreachable!("{other:?}"),
+        }
+    }
+    fn is_at_least(&self, other: &Self) -> bool {
+        self >= other
+    }
+}
+    )+};
+}
+
+floats! { f64 }
+#[cfg(test)]
+floats! { f32 }

@@ -8,11 +8,11 @@ pub(crate) mod cost;
 pub(crate) mod graph;
 pub(crate) mod hash;
 pub(crate) mod implicit;
-#[cfg(test)]
 pub(crate) mod interpret;
 pub(crate) mod liveness;
 mod node;
 mod operations;
+pub(crate) mod placed;
 pub(crate) mod program;
 
 #[cfg(test)]

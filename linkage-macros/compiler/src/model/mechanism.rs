@@ -228,6 +228,17 @@ pub(crate) struct Link {
     pub stands_for: Option<Ident>,
 }
 
+impl Param {
+    /// The declared value; of a mode +1 or −1.
+    pub(crate) fn default_value(&self) -> f64 {
+        match &self.kind {
+            ParamKind::Number { default, .. } => default.to_f64(),
+            ParamKind::Mode { default: Sign::Plus, .. } => 1.0,
+            ParamKind::Mode { default: Sign::Minus, .. } => -1.0,
+        }
+    }
+}
+
 impl Link {
     /// Its name, or that of the link that it stands in for.
     pub(crate) fn known_as(&self) -> &Ident {

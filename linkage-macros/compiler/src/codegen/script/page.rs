@@ -14,7 +14,7 @@ use crate::interface::force_records;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::lower::routine::Lowered;
-use crate::model::mechanism::{Dimension, Mechanism, Param, ParamKind, Sign};
+use crate::model::mechanism::{Dimension, Mechanism, Param, ParamKind};
 
 /// A mechanism as its page has it, in texts.
 #[derive(Clone, Debug)]
@@ -56,11 +56,6 @@ impl PageParts {
         let params = mechanism.params.iter().map(setting);
         let loads = mechanism.dynamics.loads.iter();
         let loads = loads.map(|load| number(&load.name, in_si(load.dimension), &load.docs));
-        let values = mechanism.params.iter().map(|param| match &param.kind {
-            ParamKind::Number { default, .. } => default.to_f64(),
-            ParamKind::Mode { default: Sign::Plus, .. } => 1.0,
-            ParamKind::Mode { default: Sign::Minus, .. } => -1.0,
-        });
         Self {
             name: text(&mechanism.name),
             docs: words(&mechanism.docs),
@@ -70,7 +65,7 @@ impl PageParts {
             params: params.collect(),
             loads: loads.collect(),
             outputs: shown(mechanism).join("\n"),
-            values: values.collect(),
+            values: mechanism.params.iter().map(Param::default_value).collect(),
             notes: Vec::new(),
         }
     }

@@ -2,64 +2,10 @@
 
 use super::{generate, line_by_line};
 use crate::equations;
-use crate::exact::Exact;
-use crate::function::Function;
-use crate::ir::interpret::{Number, ProgramValues, interpret};
+use crate::ir::interpret::{ProgramValues, interpret};
 use crate::oracle::mechanism;
 use crate::passes;
 use crate::reach::turn::Range;
-
-/// Floats, in which a group out of reach is not a number.
-macro_rules! floats {
-    ($($float:ident)+) => {$(
-impl Number for $float {
-    fn point(&self) -> Self {
-        *self
-    }
-    fn exact(value: &Exact) -> Self {
-        value.to_f64() as Self
-    }
-    fn neg(&self) -> Self {
-        -self
-    }
-    fn add(&self, other: &Self) -> Self {
-        self + other
-    }
-    fn sub(&self, other: &Self) -> Self {
-        self - other
-    }
-    fn mul(&self, other: &Self) -> Self {
-        self * other
-    }
-    fn div(&self, other: &Self) -> Self {
-        self / other
-    }
-    fn of(function: Function, operands: &[&Self]) -> Self {
-        match (function, operands) {
-            (Function::Sqrt, [x]) => Self::sqrt(**x),
-            (Function::Sin, [x]) => Self::sin(**x),
-            (Function::Cos, [x]) => Self::cos(**x),
-            (Function::Hypot, [x, y]) => Self::hypot(**x, **y),
-            (Function::Atan2, [y, x]) => Self::atan2(**y, **x),
-            (Function::Tan, [x]) => Self::tan(**x),
-            (Function::Asin, [x]) => Self::asin(**x),
-            (Function::Acos, [x]) => Self::acos(**x),
-            (Function::Atan, [x]) => Self::atan(**x),
-            (Function::Exp, [x]) => Self::exp(**x),
-            (Function::Ln, [x]) => Self::ln(**x),
-            (Function::Tanh, [x]) => Self::tanh(**x),
-            (Function::Pow, [x, y]) => Self::powf(**x, **y),
-            other => unreachable!("{other:?}"),
-        }
-    }
-    fn is_at_least(&self, other: &Self) -> bool {
-        self >= other
-    }
-}
-    )+};
-}
-
-floats! { f64 f32 }
 
 /// A crank AB of 1 m on A(0, 0), turned by `theta`, with what else is declared.
 fn on_a_crank(rest: &str) -> String {
