@@ -224,7 +224,7 @@ impl<'s> Kinematics<'s> {
     /// The root that a group with two ways of assembly is to take.
     pub(super) fn mode_of(&self, group: &Group) -> Sym<'s> {
         match group.assembly {
-            Assembly::Unique => self.builder.integer(1),
+            Assembly::Unique | Assembly::Parallel(_) => self.builder.integer(1),
             Assembly::Signed(mode) => self.mode(mode),
         }
     }

@@ -8,6 +8,7 @@ use proc_macro2::{TokenStream, TokenTree};
 
 use crate::blocks;
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
+use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 
 pub(crate) struct Declaration {
     /// The mechanism's; for a variant of a group, the variant's.
@@ -31,9 +32,8 @@ pub(crate) fn all() -> impl Iterator<Item = Declaration> {
         }
         found
     };
-    let variants = VARIANTS.iter().chain(UNKNOWNS).map(|variant| Declaration {
-        name: format!("variant: {}", variant.name),
-        tokens: tokens(variant.source),
+    let variants = VARIANTS.iter().chain(UNKNOWNS).chain(PARALLELOGRAMS).map(|variant| {
+        Declaration { name: format!("variant: {}", variant.name), tokens: tokens(variant.source) }
     });
     files.into_iter().flat_map(of_file).chain(variants)
 }

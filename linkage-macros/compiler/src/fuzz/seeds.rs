@@ -2,6 +2,7 @@
 //! variant of every group.
 
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
+use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 
 pub(super) const SMALL: &[&str] = &[
     "/// A crank-rocker.
@@ -66,5 +67,8 @@ pub(super) const SMALL: &[&str] = &[
 ];
 
 pub(super) fn all() -> impl Iterator<Item = &'static str> {
-    SMALL.iter().copied().chain(VARIANTS.iter().chain(UNKNOWNS).map(|variant| variant.source))
+    SMALL
+        .iter()
+        .copied()
+        .chain(VARIANTS.iter().chain(UNKNOWNS).chain(PARALLELOGRAMS).map(|variant| variant.source))
 }

@@ -95,7 +95,7 @@ fn group_cannot_be_assembled(scope: &mut Scope<'_>, parts: &Parts, reason: Strin
 }
 
 /// The names of two points as a distance: |BD|.
-fn span_of(scope: &Scope<'_>, [from, to]: [PointId; 2]) -> String {
+pub(super) fn span_of(scope: &Scope<'_>, [from, to]: [PointId; 2]) -> String {
     let name = |point: PointId| &scope.mechanism.points[point.index()].name;
     format!("|{}{}|", name(from), name(to))
 }

@@ -152,6 +152,12 @@ impl Facts {
         places.map(|place| place.point)
     }
 
+    /// The bodies that a point belongs to.
+    pub(super) fn carriers(&self, point: PointId) -> impl Iterator<Item = Carrier> {
+        let places = self.places.iter().filter(move |p| p.belongs && p.point == point);
+        places.map(|place| place.carrier)
+    }
+
     /// The constant place of the point on the carrier.
     pub(super) fn place(&self, point: PointId, carrier: Carrier) -> Option<&[Exact; 2]> {
         self.places

@@ -85,6 +85,16 @@ pub(crate) enum Drive {
 pub(crate) enum Assembly {
     Unique,
     Signed(Mode),
+    /// `mode: parallel`, of two bars.
+    Parallel(Opposite),
+}
+
+/// The corner of a parallelogram that is opposite to the pin of its bars.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Opposite {
+    pub corner: PointId,
+    /// By bar, the body that the opposite side is on.
+    pub carriers: [Carrier; 2],
 }
 
 /// A driver or a dyad.
@@ -179,8 +189,16 @@ impl Group {
 
     pub(crate) fn mode(&self) -> Option<Mode> {
         match self.assembly {
-            Assembly::Unique => None,
+            Assembly::Unique | Assembly::Parallel(_) => None,
             Assembly::Signed(mode) => Some(mode),
+        }
+    }
+
+    /// The fourth corner, where its bars stay opposite sides of a parallelogram.
+    pub(crate) fn opposite(&self) -> Option<Opposite> {
+        match self.assembly {
+            Assembly::Unique | Assembly::Signed(_) => None,
+            Assembly::Parallel(opposite) => Some(opposite),
         }
     }
 

@@ -8,6 +8,7 @@ use crate::model::mechanism::{
     Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId, Scalar,
     Slideway,
 };
+use crate::model::opposite_sides::opposite_sides;
 use crate::model::parts_of_groups::{Dimensions, OuterJoint, Parts};
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
@@ -67,9 +68,8 @@ pub(super) fn jointed(scope: &mut Scope<'_>, parts: &Parts) -> Option<Group> {
 }
 
 fn dimensions(scope: &mut Scope<'_>, parts: &Parts) -> Dimensions {
-    let fields = &parts.fields;
+    let (fields, lengths) = (&parts.fields, lengths_of_bars(scope, parts));
     Dimensions {
-        lengths: lengths_of_bars(scope, parts),
         angle: fields.one("angle").and_then(|angle| numbers::turn(scope, angle)),
         relative_to: match fields.one("relative_to") {
             Some(value) => relative_to_is_a_body(scope, value),
@@ -78,13 +78,20 @@ fn dimensions(scope: &mut Scope<'_>, parts: &Parts) -> Dimensions {
         slide: fields.one("slide").and_then(|slide| numbers::length(scope, slide)),
         slot: fields.one("slot").and_then(|slot| numbers::turn(scope, slot)),
         offsets: offsets(scope, parts),
-        assembly: match parts.anatomy.modes {
-            Some(_) => {
-                modes::mode(scope, parts.group, parts.anatomy, &parts.fields).map(Assembly::Signed)
-            }
-            None => Some(Assembly::Unique),
-        },
+        assembly: assembled(scope, parts, &lengths),
+        lengths,
     }
+}
+
+/// The way in which the group is assembled.
+fn assembled(scope: &mut Scope<'_>, parts: &Parts, lengths: &[Option<Length>]) -> Option<Assembly> {
+    if parts.anatomy.modes.is_none() {
+        return Some(Assembly::Unique);
+    }
+    if let Some(at) = modes::parallel(scope, parts.anatomy, &parts.fields) {
+        return opposite_sides(scope, parts, lengths, at).map(Assembly::Parallel);
+    }
+    modes::mode(scope, parts.group, parts.anatomy, &parts.fields).map(Assembly::Signed)
 }
 
 /// The field `length` is the first link's, `lengths` are both links'.

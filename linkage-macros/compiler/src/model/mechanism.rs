@@ -18,7 +18,7 @@ pub(crate) use crate::model::ids::{
     UnknownId,
 };
 pub(crate) use crate::model::incidence::{
-    Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, Mode, Sign, Slideway,
+    Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, Mode, Opposite, Sign, Slideway,
 };
 pub(crate) use crate::model::step::{GuideDirection, Placement, Step, Through};
 use crate::syntax::anatomy::Modes;

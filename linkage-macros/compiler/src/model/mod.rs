@@ -13,7 +13,7 @@
 //! | `uses`, `declared`, `kinds`, `meant` | names where they are used, links and points where they are made |
 //! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `loads_in_forces`, `readings`, `expressions`, `numbers` | expressions |
 //! | `effort_dimensions`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given` | efforts, and what is asked for |
-//! | `fields`, `modes`, `jointed`, `assembly`, `coincidence` | what the groups share |
+//! | `fields`, `modes`, `same_expression`, `opposite_sides`, `jointed`, `assembly`, `coincidence` | what the groups share |
 //! | `statements` | a file a statement |
 //! | `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
 //! | `drawn` | links and joints into drivers and groups |
@@ -68,6 +68,7 @@ mod names;
 mod needs;
 mod numbers;
 mod on_drawn_links;
+mod opposite_sides;
 mod order;
 mod parts_of_groups;
 mod rates;
@@ -78,6 +79,7 @@ mod relations;
 mod resolved_expr;
 pub(crate) mod rigid;
 mod rotatability;
+mod same_expression;
 mod scope;
 mod searched;
 

@@ -54,6 +54,21 @@ fn is_slide(group: &GroupStatement) -> bool {
     GroupSpec::of(&group.keyword.to_string()).is_some_and(GroupSpec::has_inner_slide)
 }
 
+/// The mode of two bars that stay opposite sides of a parallelogram. No parameter has it.
+pub(super) const PARALLEL: &str = "parallel";
+
+/// The word `parallel`, where it is the mode of a group that can have it.
+pub(super) fn parallel<'t>(
+    scope: &Scope<'_>,
+    anatomy: &GroupSpec,
+    fields: &Fields<'t>,
+) -> Option<&'t Expr> {
+    let value = fields.one("mode").filter(|_| anatomy.can_be_parallel())?;
+    let word = bare_name(value).filter(|word| *word == PARALLEL)?;
+    // A parameter may have had this name before it was a word.
+    (scope.names.kind(word) != Some(Kind::Param)).then_some(value)
+}
+
 /// The mode of a group that has modes.
 pub(super) fn mode(
     scope: &mut Scope<'_>,
@@ -76,7 +91,8 @@ pub(super) fn mode(
         return Some(Mode::Fixed(sign));
     }
     let is_another = |other: &Modes| *other != modes && other.sign(&word.to_string()).is_some();
-    if [Modes::Side, Modes::Sense].iter().any(is_another) {
+    let is_parallel = word == PARALLEL && scope.names.kind(word) != Some(Kind::Param);
+    if is_parallel || [Modes::Side, Modes::Sense].iter().any(is_another) {
         let message = format!("`{word}` is no mode of `{}`", group.keyword);
         let reason = modes_explained(modes, group);
         scope.diagnostics.error_because(word.span(), message, reason);
@@ -124,7 +140,9 @@ fn mode_param(
 /// Reports a word that is no mode at all.
 fn mode_exists(scope: &mut Scope<'_>, word: &Ident, modes: Modes, group: &GroupStatement) {
     let text = word.to_string();
-    let known = modes.words().into_iter().chain(scope.names.of_kinds(&[Kind::Param]));
+    let parallel = (modes == Modes::Side).then_some(PARALLEL);
+    let known = modes.words().into_iter().chain(parallel);
+    let known = known.chain(scope.names.of_kinds(&[Kind::Param]));
     let message = match nearest(&text, known) {
         Some(near) => {
             format!("no mode named `{text}`; a mode with a similar name exists: `{near}`")
@@ -185,6 +203,15 @@ pub(super) fn side_is_left_or_right(
 /// The value of a mode parameter is one of the six words.
 pub(super) fn param_is_a_mode(scope: &mut Scope<'_>, default: &Expr) -> Option<ParamKind> {
     let kind = bare_name(default).and_then(mode_word);
+    if bare_name(default).is_some_and(|word| word == PARALLEL) {
+        let message = format!(
+            "`{PARALLEL}` is no value of a parameter; write `mode: {PARALLEL}` in the braces of the {}",
+            GroupSpec::keywords_with(Modes::Side)
+        );
+        let reason = "a parallelogram stays one in every pose, and nothing is left to choose";
+        scope.diagnostics.error_because(default.span, message, reason);
+        return None;
+    }
     if kind.is_none() && !default.is_mistake() {
         let message = "a mode is `left`, `right`, `ahead`, `behind`, `rising` or `falling`";
         let [side, sense] = [Modes::Side, Modes::Sense].map(GroupSpec::keywords_with);

@@ -18,6 +18,12 @@ impl Mechanism {
         self.group_steps().find(|group| group.links.contains(&link))
     }
 
+    /// True if the bars of the group stay opposite sides of a parallelogram.
+    pub(crate) fn is_parallel(&self, id: GroupId) -> bool {
+        let mut groups = self.group_steps().filter(|group| group.id == id);
+        groups.any(|group| group.opposite().is_some())
+    }
+
     /// The joints of all groups.
     pub(crate) fn joints(&self) -> impl Iterator<Item = &Joint> {
         self.group_steps().flat_map(Group::joints)

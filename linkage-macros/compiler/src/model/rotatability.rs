@@ -69,6 +69,10 @@ impl<'m> Ground<'m> {
         let Step::Group(group @ Group { id, outer, lengths, pin: Some(_), .. }) = step else {
             return None;
         };
+        if group.opposite().is_some() {
+            // It assembles everywhere.
+            return None;
+        }
         let constant = |index: usize| lengths.get(index)?.as_ref()?.value.constant();
         match &outer[..] {
             [first, second] if second.guide().is_none() => {

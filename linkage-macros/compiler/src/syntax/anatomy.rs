@@ -234,6 +234,11 @@ impl GroupSpec {
         self.joints.len() == 2
     }
 
+    /// True if its bars can be opposite sides of a parallelogram.
+    pub(crate) fn can_be_parallel(&self) -> bool {
+        self.class == Some(Class::Rrr)
+    }
+
     /// True if it can be out of reach: its two modes meet at the limit.
     pub(crate) fn has_a_limit(&self) -> bool {
         self.modes.is_some()

@@ -6,8 +6,8 @@ use super::searches_in_words;
 use crate::codegen::identifiers::text;
 use crate::exact::Exact;
 use crate::model::mechanism::{
-    AngleSum, Carrier, Drive, Group, GroupName, Known, LinkId, Mechanism, Mode, PointId, Scalar,
-    Sign, Slideway,
+    AngleSum, Carrier, Drive, Group, GroupName, Known, LinkId, Mechanism, Mode, Opposite, PointId,
+    Scalar, Sign, Slideway,
 };
 use crate::reach::absolute;
 use crate::syntax::anatomy::Class;
@@ -88,6 +88,13 @@ impl Words<'_> {
         let pin = self.pin(group);
         let lengths = [0, 1].map(|bar| &group.length(bar).value);
         let [first, second] = lengths.map(|length| self.length(length));
+        if let Some(Opposite { corner, .. }) = group.opposite() {
+            let corner = self.point(corner);
+            return format!(
+                "lengths {first} and {second}, parallel: `{pin}` is opposite to `{corner}`; assembles everywhere, \
+                 and forces in its joints are `Singular` where `{corner}`, `{b}`, `{pin}` and `{d}` are in one line"
+            );
+        }
         let side = match group.mode() {
             Some(Mode::Fixed(Sign::Plus)) | None => "on the left".to_string(),
             Some(Mode::Fixed(Sign::Minus)) => "on the right".to_string(),

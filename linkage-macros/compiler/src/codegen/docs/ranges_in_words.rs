@@ -53,10 +53,8 @@ pub(super) fn in_words(
         );
     }
     if found.is_parallelogram {
-        line += &format!(
-            ". These are the lengths of a parallelogram, which a constant mode turns into an \
-             antiparallelogram: make the rocker a crank with `relative_to: {crank}, angle: 0`"
-        );
+        line += ". These are the lengths of a parallelogram, which `left` or `right` turns into an \
+                 antiparallelogram: `mode: parallel` keeps it one";
     }
     line
 }

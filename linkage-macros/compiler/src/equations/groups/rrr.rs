@@ -74,9 +74,10 @@
 //!
 //! # Numbers
 //! Two divisions and one root for everything; a third division where the bars' lengths are not
-//! constants. A parallelogram (l₂ = |AB|, l₃ … equal in pairs)
-//! passes through change points where a constant mode turns it into an antiparallelogram.
+//! constants. Bars equal in pairs pass through change points, where `left` or `right` turns a parallelogram into
+//! an antiparallelogram; `parallel` keeps it one (`parallel.rs`).
 
+mod parallel;
 mod triangle;
 mod turning;
 
@@ -91,16 +92,23 @@ use crate::equations::parts::{
 use crate::equations::reactions::{Inner, JacobianFactors, Loads, Reaction, Reactions};
 use crate::equations::symbol::{Sym, Vector};
 use crate::model::mechanism::{Carrier, Group, LinkId};
+use parallel::ParallelBars;
 
 pub(super) struct Rrr;
 
 impl Formulas for Rrr {
     fn solve<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Solved<'s> {
+        if let Some(opposite) = group.opposite() {
+            return ParallelBars(opposite).solve(known, group);
+        }
         let (outer, lengths) = (Outer::of(known, group), known.lengths(group));
         rrr(&known.scope(group), outer, lengths, known.mode_of(group))
     }
 
     fn measures<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<LimitMeasures<'s>> {
+        if let Some(opposite) = group.opposite() {
+            return ParallelBars(opposite).measures(known, group);
+        }
         Some(measures(Outer::of(known, group).seen, known.lengths(group)))
     }
 

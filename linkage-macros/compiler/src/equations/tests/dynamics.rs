@@ -12,6 +12,7 @@ use crate::equations::tests::declarations::VARIANTS;
 use crate::equations::tests::forces::topologies::random_mechanism;
 use crate::equations::tests::forces::{loaded, with_every_input_asked};
 use crate::equations::tests::newton_euler::Motion;
+use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 use crate::exact::Exact;
 use crate::interface::entries::Analysis;
 use crate::ir::graph::{Check, Id, Node};
@@ -243,6 +244,7 @@ fn every_variant_moves_as_its_efforts_say() {
 fn count_of_variants(nth: usize) -> usize {
     let checked = VARIANTS
         .iter()
+        .chain(PARALLELOGRAMS)
         .step_by(nth)
         .filter_map(|variant| check(variant.name, &loaded(variant.source), variant.inputs));
     checked.count()

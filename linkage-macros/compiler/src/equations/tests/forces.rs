@@ -10,6 +10,7 @@ use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::GraphBuilder;
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
 use crate::equations::tests::newton_euler::{Matrix, Motion};
+use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 use crate::exact::Exact;
 use crate::interface::entries::EntryPoint;
 use crate::ir::graph::{Graph, Id};
@@ -341,7 +342,7 @@ fn compare(
 /// Each in motion, and every fourth at rest as well; `.ci/nightly` takes all of them at rest.
 #[test]
 fn every_variant_agrees_with_newton_and_euler() {
-    for (nth, variant) in VARIANTS.iter().enumerate() {
+    for (nth, variant) in VARIANTS.iter().chain(PARALLELOGRAMS).enumerate() {
         let source = loaded(variant.source);
         check_moving(variant.name, &source, variant.inputs);
         if nth % 4 == 0 {
@@ -353,7 +354,7 @@ fn every_variant_agrees_with_newton_and_euler() {
 #[test]
 #[ignore = "minutes: `.ci/nightly` takes it"]
 fn every_variant_agrees_at_rest() {
-    for variant in VARIANTS {
+    for variant in VARIANTS.iter().chain(PARALLELOGRAMS) {
         check_at_rest(variant.name, &loaded(variant.source), variant.inputs);
     }
 }

@@ -13,6 +13,7 @@ use crate::equations::tests::declarations::{VARIANTS, Variant};
 use crate::equations::tests::forces::topologies::random_mechanism;
 use crate::equations::tests::forces::{evaluated, loaded, read, readings, with_every_input_asked};
 use crate::equations::tests::newton_euler::{Matrix, Motion};
+use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 use crate::exact::Exact;
 use crate::ir::graph::Id;
 use crate::ir::interpret::{Number, ProgramValues, jams};
@@ -338,7 +339,7 @@ fn share(friction: &Friction, [x, y]: [f64; 2]) -> f64 {
 /// In motion or at rest in turn; `.ci/nightly` compares both.
 #[test]
 fn friction_in_every_variant_agrees_with_newton_and_euler() {
-    for (nth, variant) in VARIANTS.iter().enumerate() {
+    for (nth, variant) in VARIANTS.iter().chain(PARALLELOGRAMS).enumerate() {
         check_variant(variant, nth % 2 == 1);
     }
 }
@@ -346,7 +347,7 @@ fn friction_in_every_variant_agrees_with_newton_and_euler() {
 #[test]
 #[ignore = "minutes: `.ci/nightly` takes it"]
 fn friction_in_every_variant_agrees_the_other_way() {
-    for (nth, variant) in VARIANTS.iter().enumerate() {
+    for (nth, variant) in VARIANTS.iter().chain(PARALLELOGRAMS).enumerate() {
         check_variant(variant, nth % 2 == 0);
     }
 }

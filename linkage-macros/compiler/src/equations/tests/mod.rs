@@ -13,6 +13,7 @@ mod joints;
 mod laws;
 mod left_out;
 mod newton_euler;
+pub(crate) mod parallelograms;
 mod rates;
 mod slip_rounding;
 mod straight_proofs;

@@ -1,6 +1,7 @@
 //! Velocity and acceleration against differences of the position along q(t).
 
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
+use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 use crate::interface::quantity::{Order, Quantity};
 use crate::ir::interpret::{Number, ProgramValues};
 use crate::model::mechanism::Mechanism;
@@ -42,7 +43,7 @@ fn velocities_and_accelerations_are_derivatives_in_other_variants() {
 
 /// In every second variant from the first on.
 fn are_derivatives_of_the_position(first: usize) {
-    for variant in VARIANTS.iter().chain(UNKNOWNS).skip(first).step_by(2) {
+    for variant in VARIANTS.iter().chain(UNKNOWNS).chain(PARALLELOGRAMS).skip(first).step_by(2) {
         let mechanism = mechanism(variant.source);
         let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
         let given = |t: &Digits| ProgramValues {
@@ -86,7 +87,7 @@ fn are_derivatives_of_the_position(first: usize) {
 
 #[test]
 fn coefficients_are_the_velocities_at_unit_rates() {
-    for variant in VARIANTS.iter().chain(UNKNOWNS) {
+    for variant in VARIANTS.iter().chain(UNKNOWNS).chain(PARALLELOGRAMS) {
         let mechanism = mechanism(variant.source);
         let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
         let given = |rates: &[f64]| ProgramValues {

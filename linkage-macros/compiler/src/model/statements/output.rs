@@ -335,11 +335,18 @@ fn group_has_a_limit(scope: &mut Scope<'_>, link: LinkId, member: &Ident) -> Opt
     let group = scope.mechanism.links[link.index()].made_by;
     let keyword = scope.mechanism.groups[group.index()].keyword.to_string();
     let anatomy = GroupSpec::of(&keyword)?;
-    if anatomy.has_a_limit() || anatomy.is_dyad() && member == "transmission" {
+    let is_parallel = member == "margin" && scope.mechanism.is_parallel(group);
+    if !is_parallel && anatomy.has_a_limit() || anatomy.is_dyad() && member == "transmission" {
         return Some(());
     }
-    let message = format!("`{keyword}` has no `{member}`");
+    let message = match is_parallel {
+        true => format!("a parallelogram has no `{member}`"),
+        false => format!("`{keyword}` has no `{member}`"),
+    };
     let reason = match anatomy.is_dyad() {
+        true if is_parallel => {
+            "it is never out of reach; `transmission` tells how far its joints are from one line"
+        }
         true => "it is never out of reach; `transmission` tells how far from parallel",
         false => "a driver transmits what it is given; ask the dyads that follow",
     };

@@ -198,3 +198,100 @@ fn a_crank_is_relative_to_a_body() {
         ),
     ]);
 }
+
+#[test]
+fn bars_are_parallel_where_opposite_sides_are_known_to_be_as_long() {
+    const SIDES: &str = "input t: angle; param l = 4m; param r = 1m; let two = 2 * r; ground A(0, 0), D(l, 0); \
+                         crank AB(A) -> B { length: r, angle: t } crank AE(A) -> E { length: two, angle: -t }";
+    check(&[
+        (CRANK, "rrr BC(B), DC(D) -> C { lengths: (4m, 1m), mode: parallel }", ""),
+        (CRANK, "rrr DC(D), BC(B) -> C { lengths: (1m, 4m), mode: parallel }", ""),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> C { lengths: (sqrt(2) * sqrt(8) * 1m, 1m), mode: parallel }",
+            "",
+        ),
+        (SIDES, "rrr BC(B), DC(D) -> C { lengths: (l, r), mode: parallel }", ""),
+        (SIDES, "rrr EF(E), DF(D) -> F { lengths: (l, 2 * r), mode: parallel }", ""),
+        (
+            SIDES,
+            "point P on AB at (r, two); rrr PC(P), DC(D) -> C { lengths: (l, hypot(r, 2 * r)), mode: parallel }",
+            "",
+        ),
+        (
+            SIDES,
+            "point P on AB at polar (two, 0.3); rrr PC(P), DC(D) -> C { lengths: (l, two), mode: parallel }",
+            "",
+        ),
+        (
+            SIDES,
+            "point P on AB at distances (l, r) left; rrr PC(P), DC(D) -> C { lengths: (l, l), mode: parallel }",
+            "",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> C { lengths: (4.001m, 1m), mode: parallel }",
+            "parallel: `parallel` needs opposite sides of one length: `BC` is 4.001 m, and |AD| is 4 m / give both the \
+             same expression or the same number, or write `left` or `right`",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> C { lengths: (4m, 1.01m), mode: parallel }",
+            "parallel: `parallel` needs opposite sides of one length: `DC` is 1.01 m, and |AB| is 1 m / give both the \
+             same expression or the same number, or write `left` or `right`",
+        ),
+        (
+            SIDES,
+            "rrr BC(B), DC(D) -> C { lengths: (4m, r), mode: parallel }",
+            "parallel: `parallel` needs opposite sides of one length, and that of `BC` is not known to be |AD| / give \
+             both the same expression or the same number, or write `left` or `right`",
+        ),
+        (
+            SIX_BAR,
+            "rrr CP(C), EP(E) -> P { lengths: (3m, 3m), mode: left } rrr PQ(P), DQ(D) -> Q { lengths: (3m, 3m), mode: parallel }",
+            "",
+        ),
+        (
+            SIX_BAR,
+            "rrr EP(E), BP(B) -> P { lengths: (5m, 3m), mode: left } rrr PQ(P), DQ(D) -> Q { lengths: (3m, 3m), mode: parallel }",
+            "parallel: `P` and `D` make no parallelogram with `Q`; write `left` or `right` / `parallel` needs a fourth \
+             corner: a point that is on one body with `P` and on another with `D`",
+        ),
+    ]);
+}
+
+#[test]
+fn no_other_group_and_no_parameter_is_parallel() {
+    check(&[
+        (
+            GUIDE,
+            "rrp BC(B), block(rail) -> C { length: 5m, mode: parallel }",
+            "parallel: `parallel` is no mode of `rrp` / `ahead` or `behind`: where `C` lies against the foot of `B` on \
+             `rail`, along its direction",
+        ),
+        (
+            CRANK,
+            "param side: mode = parallel; rrr BC(B), DC(D) -> C { lengths: (4m, 1m), mode: left }",
+            "parallel: `parallel` is no value of a parameter; write `mode: parallel` in the braces of the `rrr` / a \
+             parallelogram stays one in every pose, and nothing is left to choose",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> C { lengths: (4m, 1m), mode: paralel }",
+            "paralel: no mode named `paralel`; a mode with a similar name exists: `parallel` / `left` or `right`: the \
+             side of `C` seen from `B` looking to `D`",
+        ),
+        // A parameter that had the name before it was a word.
+        (
+            CRANK,
+            "param parallel: mode = left; rrr BC(B), DC(D) -> C { lengths: (4m, 1m), mode: parallel }",
+            "",
+        ),
+        (
+            CRANK,
+            "rrr BC(B), DC(D) -> C { lengths: (4m, 1m), mode: parallel } output BC.transmission, BC.margin;",
+            "margin: a parallelogram has no `margin` / it is never out of reach; `transmission` tells how far its joints \
+             are from one line",
+        ),
+    ]);
+}

@@ -2,6 +2,7 @@
 
 use crate::equations;
 use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
+use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 use crate::exact::Exact;
 use crate::ir::construct::{Rule, rebuild};
 use crate::ir::interpret::{Number, ProgramValues};
@@ -32,7 +33,7 @@ fn passes_change_no_value(first: usize) {
         ("fuse", contract::fuse_products),
         ("all", optimise),
     ];
-    for variant in VARIANTS.iter().chain(UNKNOWNS).skip(first).step_by(2) {
+    for variant in VARIANTS.iter().chain(UNKNOWNS).chain(PARALLELOGRAMS).skip(first).step_by(2) {
         let mechanism = mechanism(variant.source);
         let given = ProgramValues {
             inputs: variant.inputs.iter().map(|q| q.map(Digits::float)).collect(),

@@ -3,6 +3,7 @@
 use super::computed::computed;
 use super::machines::{Case, MACHINES, case};
 use crate::equations::tests::declarations::VARIANTS;
+use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 use crate::ir::interpret::{Number, ProgramValues, interpret};
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::prove::boxes::{Budget, Proof, prove};
@@ -143,7 +144,7 @@ fn no_error_of_many_poses_is_above_its_bound() {
 /// Every variant of every group has bounds around its pose, and no error is above them.
 #[test]
 fn every_variant_of_a_group_is_proved() {
-    for variant in VARIANTS {
+    for variant in VARIANTS.iter().chain(PARALLELOGRAMS) {
         // Where two lengths are equal, as at 0.2, a selection jumps.
         let around = |[value, ..]: &[f64; 3]| [*value, value + 0.01];
         let ranges: Vec<[f64; 2]> = variant.inputs.iter().map(around).collect();
