@@ -159,6 +159,16 @@ impl Diagnostics {
         self.mistakes.extend(Diagnostic::adopted(error));
     }
 
+    /// Tells words of the messages so far in other words, the first of each pair by the second.
+    pub(crate) fn tell(&mut self, words: &[[String; 2]]) {
+        for diagnostic in self.mistakes.iter_mut().chain(&mut self.notes) {
+            for [from, to] in words {
+                diagnostic.message = in_place_of(&diagnostic.message, from, to);
+                diagnostic.note = diagnostic.note.as_ref().map(|note| in_place_of(note, from, to));
+            }
+        }
+    }
+
     /// The count of mistakes reported so far. Equal counts before and after a step mean that the step found
     /// none.
     pub(crate) fn count(&self) -> usize {
@@ -197,6 +207,21 @@ impl Drop for Diagnostics {
             panic!("diagnostics were dropped without a barrier");
         }
     }
+}
+
+/// The text with words replaced, where no letter goes on on either side.
+fn in_place_of(text: &str, from: &str, to: &str) -> String {
+    let goes_on = |letter: Option<char>| letter.is_some_and(|it| it.is_alphanumeric() || it == '_');
+    let (mut told, mut rest) = (String::new(), text);
+    while let Some(at) = rest.find(from) {
+        let behind = at + from.len();
+        let before = told.chars().chain(rest[..at].chars()).next_back();
+        let is_word = !goes_on(before) && !goes_on(rest[behind..].chars().next());
+        told += &rest[..at];
+        told += if is_word { to } else { from };
+        rest = &rest[behind..];
+    }
+    told + rest
 }
 
 /// Line and column of a token.

@@ -5,7 +5,7 @@ use super::{fuzz, numbered_anew, parts, pipeline, texts};
 use crate::pipeline::Options;
 
 /// The code without its documentation, token by token, and the mistakes.
-fn expanded(source: &str) -> (Vec<String>, Vec<String>) {
+pub(super) fn expanded(source: &str) -> (Vec<String>, Vec<String>) {
     let tokens = source.parse().expect("these are tokens");
     let expansion = pipeline::compile(tokens, &Options::NONE).tokens;
     let messages = fuzz::messages(expansion.clone());

@@ -12,6 +12,7 @@
 mod compiled;
 pub(crate) mod declarations;
 mod drawn;
+mod driven_quantities;
 mod fingerprint;
 mod parts;
 mod scripts;

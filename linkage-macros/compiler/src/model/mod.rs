@@ -17,6 +17,7 @@
 //! | `statements` | a file a statement |
 //! | `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
 //! | `drawn` | links and joints into drivers and groups |
+//! | `driven` | quantities that are inputs into what drives them |
 //!
 //! Nothing here knows how a mechanism is solved. Of numbers there is what the rules need of constants, and what a
 //! drawing needs: `drawn` finds the inputs of the drawn pose by Newton's method, and the angles of links that are held
@@ -37,6 +38,7 @@ mod drawn_joints;
 mod drawn_links;
 mod drawn_relations;
 mod drawn_sliding;
+mod driven;
 mod dynamics_outputs;
 mod effort;
 pub(crate) mod effort_dimensions;
@@ -120,6 +122,17 @@ pub(crate) fn resolve(
     tree: &Declaration,
     diagnostics: &mut Diagnostics,
 ) -> Result<Mechanism, Stub> {
+    let tree = driven::lowered(tree, diagnostics);
+    let resolved = resolve_statements(&tree, diagnostics);
+    diagnostics.tell(&tree.unwritten.told);
+    resolved
+}
+
+/// The same of a declaration of which no input is a quantity.
+fn resolve_statements(
+    tree: &Declaration,
+    diagnostics: &mut Diagnostics,
+) -> Result<Mechanism, Stub> {
     if drawn::is_drawn(tree) {
         let resolved = drawn::resolve(tree, diagnostics).filter(|_| diagnostics.count() == 0);
         return resolved.ok_or_else(|| Stub(Box::new(stub_of_drawing(tree, diagnostics))));
@@ -195,7 +208,8 @@ fn walked<'d>(
 ) -> Scope<'d> {
     let mut scope = begun::scope(tree, &tree.unread, diagnostics);
     scope.drawn = drawn;
-    scope.names.hide(drawn.map_or(&[], |drawn| &drawn.names));
+    let made = drawn.map_or(&[][..], |drawn| &drawn.names);
+    scope.names.hide(&[made, &tree.unwritten.names].concat());
     statement_walk::statements(&mut scope, tree);
     unknowns::every_unknown_is_solved(&mut scope, tree);
     drawn_joints::links_are_as_drawn(&mut scope);

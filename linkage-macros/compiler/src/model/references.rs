@@ -14,7 +14,8 @@ impl References {
     pub(super) fn of(tree: &Declaration) -> Self {
         let mut references = Self::default();
         for statement in &tree.statements {
-            for (name, _) in declared_by(statement) {
+            let is_written = |(name, _): &(&Ident, _)| !tree.unwritten.names.contains(name);
+            for (name, _) in declared_by(statement).into_iter().filter(is_written) {
                 // A pin that a group makes and a drawing places is made once.
                 match references.made.iter().any(|(made, _)| made == name) {
                     true => references.used.push(name.clone()),

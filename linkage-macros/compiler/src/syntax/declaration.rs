@@ -7,7 +7,7 @@ use syn::{Attribute, Visibility};
 
 use super::openings::opening;
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Declaration, Statement, StatementKind, Unread};
+use super::tree::{Declaration, Statement, StatementKind, Unread, Unwritten};
 use super::words;
 
 const FORM: &str = "declare a mechanism: `pub struct Name { … }`";
@@ -34,6 +34,7 @@ impl Parser<'_> {
                     statements,
                     unread,
                     is_damaged: true,
+                    unwritten: Unwritten::default(),
                 });
             }
             (None, None) => return None,
@@ -46,7 +47,16 @@ impl Parser<'_> {
         }
         let unread = Unread::Words(std::mem::take(&mut self.aftermath.unread));
         let is_damaged = self.aftermath.is_damaged;
-        name.map(|name| Declaration { docs, visibility, name, statements, unread, is_damaged })
+        let unwritten = Unwritten::default();
+        name.map(|name| Declaration {
+            docs,
+            visibility,
+            name,
+            statements,
+            unread,
+            is_damaged,
+            unwritten,
+        })
     }
 
     /// Doc comments. Other attributes are refused: what they would apply to is generated.

@@ -113,6 +113,24 @@ impl Parser<'_> {
         }
     }
 
+    /// `drive tool.x = x;`, `drive distance(F, G) = s;`, behind the first word: the statement that is meant.
+    pub(super) fn quantity_of_an_input(&self) -> Option<String> {
+        let is_coordinate =
+            self.is_punct(1, '.') && ["x", "y"].iter().any(|it| self.is_word(2, it));
+        let is_distance = self.is_word(0, "distance") && self.is_group(1, Delimiter::Parenthesis);
+        let long = if is_coordinate { 3 } else { 2 };
+        let goes_on = self.is_punct(long, '=') && (is_coordinate || is_distance);
+        let quantity = goes_on.then(|| {
+            self.as_written(
+                0,
+                |tree| matches!(tree, TokenTree::Punct(sign) if sign.as_char() == '='),
+            )
+        })?;
+        let input = self.peek_ident(long + 1).filter(|_| self.is_punct(long + 2, ';'));
+        let input = input.map_or("q".to_string(), ToString::to_string);
+        Some(format!("write `input {input} = {quantity};`"))
+    }
+
     /// True if a link slides by its statement: `ram(E) on bed`.
     fn slides(&self, link: &Ident) -> bool {
         self.trees.windows(3).any(|part| match part {

@@ -114,6 +114,9 @@ impl Parser<'_> {
         if let Some(drive) = self.drive_without_its_part() {
             return drive.map(StatementKind::Drive);
         }
+        if let Some(quantity) = self.quantity_of_an_input() {
+            return self.refuse_because(&quantity, "a `drive` gives an angle or a slide");
+        }
         let (link, member) = self.driven()?;
         let to = match self.take_punct('-') {
             true => Some(self.driven()?),

@@ -3,6 +3,7 @@
 //! ```text
 //! declaration  docs visibility `struct` NAME `{` statement* `}`
 //! statement    `input` NAME,* `:` KIND `;`
+//!            | `input` (NAME `=` expression),* `;`
 //!            | `param` NAME (`:` KIND)? `=` expression `;`
 //!            | `let` NAME `=` expression `;`
 //!            | `unknown` NAME `:` KIND `between` pair `;`
@@ -47,6 +48,7 @@ mod declaration;
 mod drawn_slips;
 pub(crate) mod expression;
 mod group;
+mod inputs;
 mod links;
 mod number;
 pub(crate) mod openings;

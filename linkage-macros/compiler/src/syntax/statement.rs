@@ -10,8 +10,8 @@ use super::openings::{Ending, opening};
 use super::tokens::{Parse, Parser, Reported};
 use super::tree::{
     Course, CrateStatement, ExportStatement, Expr, GroundStatement, GuideAnchor, GuideStatement,
-    InputStatement, LetStatement, NumericsStatement, OutputItem, OutputStatement, ParamStatement,
-    PointPlace, PointStatement, StatementKind,
+    LetStatement, NumericsStatement, OutputItem, OutputStatement, ParamStatement, PointPlace,
+    PointStatement, StatementKind,
 };
 
 const COORDINATES: &str = "`(x, y)`";
@@ -31,45 +31,6 @@ impl Parser<'_> {
             self.semicolon();
         }
         Some(parsed)
-    }
-
-    pub(super) fn input(&mut self) -> Parse<StatementKind> {
-        let mut names = vec![self.new_name("an input")?];
-        while self.take_punct(',') || (!self.is_punct(1, ';') && self.missing_comma()) {
-            if self.peek_ident(0).is_none() {
-                break;
-            }
-            names.extend(self.new_name("an input"));
-        }
-        let first = names[0].clone();
-        let kind = self.kind_of_input(&first).map(Some);
-        let kind = self.or_skip(kind, None);
-        Ok(StatementKind::Input(InputStatement { names, kind }))
-    }
-
-    fn kind_of_input(&mut self, name: &Ident) -> Parse<Ident> {
-        if !self.take_punct(':') {
-            return self.refuse_because(
-                &format!("say what `{name}` is: `input {name}: angle;` or `input {name}: length;`"),
-                "its kind tells radians from metres",
-            );
-        }
-        let kind = self.word("`angle` or `length`")?;
-        match () {
-            () if self.is_punct(0, ',') => self.refuse_because(
-                "end this statement with `;`",
-                "inputs of another kind have a statement of their own",
-            ),
-            () if self.is_punct(0, '/') => self.refuse_because(
-                &format!("end this statement behind `{kind}`"),
-                "rates are no inputs of their own: `velocity` and `motion` take them",
-            ),
-            () if self.is_punct(0, '=') => self.refuse_because(
-                "write `param` for a number with a default",
-                "an input is an argument of every call",
-            ),
-            () => Ok(kind),
-        }
     }
 
     pub(super) fn param(&mut self) -> Parse<StatementKind> {
@@ -270,7 +231,7 @@ impl Parser<'_> {
     }
 
     /// Reports a `,` that is missing in front of a name.
-    fn missing_comma(&mut self) -> bool {
+    pub(super) fn missing_comma(&mut self) -> bool {
         // Behind a number a `*` is missing, not a comma.
         let number = matches!(self.previous(), Some(TokenTree::Literal(_)));
         let missing = self.peek_ident(0).is_some() && !number && !self.statement_begins();

@@ -16,6 +16,7 @@ pub(crate) use calculation::{BinaryOp, Expr, ExprKind, UnitPower};
 pub(crate) use kinematic::*;
 
 /// `pub struct Name { statements }`.
+#[derive(Clone)]
 pub(crate) struct Declaration {
     /// Doc comments of the struct.
     pub docs: Vec<Attribute>,
@@ -25,6 +26,15 @@ pub(crate) struct Declaration {
     pub unread: Unread,
     /// True if a statement by which the machine moves was not read as it is written: what else moves waits.
     pub is_damaged: bool,
+    pub unwritten: Unwritten,
+}
+
+/// Links and guides that stand for quantities, which nobody has written.
+#[derive(Clone, Default)]
+pub(crate) struct Unwritten {
+    pub names: Vec<Ident>,
+    /// Texts of messages, and what is told in place of them.
+    pub told: Vec<[String; 2]>,
 }
 
 /// The tokens that a mistake kept from being read. A name among them may have been declared or used
@@ -55,7 +65,7 @@ pub(crate) struct Statement {
 
 #[derive(Clone)]
 pub(crate) enum StatementKind {
-    /// `input s, x: length;`; without a kind only after a mistake.
+    /// `input s, x: length;` or `input a = AB.angle, x = tool.x;`
     Input(InputStatement),
     /// `param l = 632mm;` or `param elbow: mode = left;`; `kind` is the word after the colon.
     Param(ParamStatement),

@@ -87,7 +87,7 @@ impl Writer<'_, '_> {
             return search.stretches.iter().map(of_drive).collect();
         }
         let inputs = tree.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Input(InputStatement { names, kind }) => {
+            StatementKind::Input(InputStatement { names, kind, .. }) => {
                 let is_angle = kind.as_ref().is_none_or(|kind| kind == "angle");
                 names.iter().map(|name| (name, is_angle)).collect()
             }

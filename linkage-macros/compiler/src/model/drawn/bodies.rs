@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::chain::machine::{Driven, Driving, GROUND, Machine, Slide};
 use crate::chain::plane::Complex;
 use crate::chain::redrawn::Displacement;
-use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, PointPlace};
+use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, PointPlace, StatementKind};
 
 use crate::model::drawn::figures::{Figure, Pen};
 use crate::model::drawn::frames::{DrawnFrame, DrawnLine};
@@ -78,8 +78,22 @@ impl<'t> Bodies<'t> {
         }
     }
 
+    /// True of the ground and of links that are written; others stand for quantities.
+    pub(super) fn is_written(&self, body: usize) -> bool {
+        body == GROUND || !self.tree.unwritten.names.contains(self.link(body).name)
+    }
+
+    /// True of links that are written as such.
+    pub(super) fn is_drawn(&self, body: usize) -> bool {
+        let is_point = |kind: &StatementKind| matches!(kind, StatementKind::Point(_));
+        let statement = |body| &self.tree.statements[self.link(body).statement].kind;
+        body != GROUND && self.is_written(body) && !is_point(statement(body))
+    }
+
     /// The names of bodies in words, the ground last.
     pub(super) fn listed(&self, those: &[usize]) -> String {
+        let written: Vec<_> = those.iter().copied().filter(|&body| self.is_written(body)).collect();
+        let those = if written.is_empty() { those } else { &written };
         let (ground, links): (Vec<usize>, Vec<_>) = those.iter().partition(|&&body| body == GROUND);
         let names: Vec<_> = links.into_iter().chain(ground).map(|body| self.name(body)).collect();
         listed(&names, "and")

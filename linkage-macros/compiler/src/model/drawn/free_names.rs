@@ -12,13 +12,13 @@ use crate::syntax::tree::{Declaration, OutputStatement, StatementKind};
 use crate::model::references::names_used;
 use crate::model::statements::declared_by;
 
-pub(super) struct FreeNames {
+pub(in crate::model) struct FreeNames {
     taken: HashSet<String>,
     pub made: Vec<Ident>,
 }
 
 impl FreeNames {
-    pub(super) fn of(tree: &Declaration) -> Self {
+    pub(in crate::model) fn of(tree: &Declaration) -> Self {
         let mut taken = HashSet::new();
         for statement in &tree.statements {
             taken.extend(declared_by(statement).iter().map(|(name, _)| name.to_string()));
@@ -31,7 +31,7 @@ impl FreeNames {
     }
 
     /// The name, with this ending as often as it takes until it is free.
-    pub(super) fn made(&mut self, name: String, ending: &str, span: Span) -> Ident {
+    pub(in crate::model) fn made(&mut self, name: String, ending: &str, span: Span) -> Ident {
         let longer = std::iter::successors(Some(name), |name| Some(format!("{name}{ending}")));
         self.first(longer, span)
     }

@@ -114,7 +114,7 @@ fn drive(bodies: &Bodies<'_>, body: usize) -> Option<String> {
         false => return None,
     };
     let input = bodies.tree.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::Input(InputStatement { names, kind: Some(kind) }) if kind == wanted => {
+        StatementKind::Input(InputStatement { names, kind: Some(kind), .. }) if kind == wanted => {
             names.iter().find(|name| !is_used(name))
         }
         _ => None,

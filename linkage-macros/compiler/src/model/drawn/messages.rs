@@ -75,7 +75,10 @@ fn too_many(
     };
     let message = format!("{who} hold each other{without}: one constraint too many");
     let drives = written.iter().map(|drive| format!(" or {drive}")).collect::<String>();
-    let reason = format!("leave out `link {link}`, or one of its joints{drives}");
+    // A point that inputs move has no joints of its own, nor has what stands for a quantity.
+    let is_link = those.iter().any(|&body| bodies.is_drawn(body) && bodies.link(body).name == link);
+    let joints = if is_link { ", or one of its joints" } else { "" };
+    let reason = format!("leave out `link {link}`{joints}{drives}");
     diagnostics.error_because(link.span(), message, reason);
 }
 

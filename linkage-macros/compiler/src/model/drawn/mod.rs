@@ -20,7 +20,7 @@ mod followed;
 mod frame_shifts;
 mod frames;
 mod framing;
-mod free_names;
+pub(super) mod free_names;
 mod group_statement;
 mod held;
 mod incidences;
@@ -105,7 +105,10 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         asked = mechanism.dynamics.what_is_of_power(asked);
     }
     mechanism.dynamics.asked = ends::as_of_links(&cut.ends, asked);
-    let is_hidden = |field: &Ident| cut.links.hidden.iter().any(|(name, _)| name == field);
+    let is_hidden = |field: &Ident| {
+        cut.links.hidden.iter().any(|(name, _)| name == field)
+            || tree.unwritten.names.contains(field)
+    };
     mechanism.outputs.retain(|output| !is_hidden(&output.field));
     for statement in &tree.statements {
         document(&mut mechanism, statement);
@@ -147,6 +150,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         statements,
         unread: tree.unread.clone(),
         is_damaged: tree.is_damaged,
+        unwritten: tree.unwritten.clone(),
     };
     Some(Translation { tree: declaration, found, links, ends, holds_links, inputs })
 }

@@ -8,8 +8,8 @@ use proc_macro2::{Ident, Span};
 use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
 use crate::syntax::tree::{
-    Declaration, Expr, ExprKind, GroundStatement, InputStatement, LetStatement, ParamStatement,
-    PinStatement, Statement, StatementKind,
+    Declaration, Expr, ExprKind, GroundStatement, LetStatement, ParamStatement, PinStatement,
+    Statement, StatementKind, Unwritten,
 };
 
 use crate::model::drawn::figures::{Figure, Pen};
@@ -36,9 +36,7 @@ fn numbers_of(tree: &Declaration) -> Declaration {
         let uses_known =
             || names_used(statement).iter().all(|name| known.contains(&name.to_string()));
         let kind = match &statement.kind {
-            StatementKind::Input(InputStatement { names, kind }) => {
-                StatementKind::Input(InputStatement { names: names.clone(), kind: kind.clone() })
-            }
+            StatementKind::Input(input) => StatementKind::Input(input.clone()),
             StatementKind::Param(ParamStatement { name, kind, default }) => {
                 StatementKind::Param(ParamStatement {
                     name: name.clone(),
@@ -65,6 +63,7 @@ fn numbers_of(tree: &Declaration) -> Declaration {
         statements,
         unread: crate::syntax::tree::Unread::Words(HashSet::new()),
         is_damaged: false,
+        unwritten: Unwritten::default(),
     }
 }
 

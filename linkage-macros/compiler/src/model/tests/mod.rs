@@ -19,6 +19,7 @@ mod names;
 mod numbers;
 mod outputs;
 mod places;
+mod quantities;
 mod resolved;
 mod rigid;
 mod slips;

@@ -3,6 +3,7 @@
 mod actions;
 mod expression_mistakes;
 mod group_mistakes;
+mod inputs;
 mod links;
 mod recovery;
 mod solve;
@@ -81,7 +82,11 @@ fn text(declaration: &Declaration) -> String {
 
 fn kind(kind: &StatementKind) -> String {
     match kind {
-        StatementKind::Input(InputStatement { names, kind }) => {
+        StatementKind::Input(InputStatement { names, of, .. }) if !of.is_empty() => {
+            let items = names.iter().zip(of).map(|(name, of)| format!("{name} = {}", expr(of)));
+            format!("input {}", items.collect::<Vec<_>>().join(", "))
+        }
+        StatementKind::Input(InputStatement { names, kind, .. }) => {
             let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
             format!("input {}: {kind}", list(names))
         }

@@ -4,11 +4,14 @@ use proc_macro2::{Ident, Span};
 
 use super::Expr;
 
-/// `input s, x: length;`; without a kind only after a mistake.
+/// `input s, x: length;` or `input a = AB.angle, x = tool.x;`.
 #[derive(Clone)]
 pub(crate) struct InputStatement {
     pub names: Vec<Ident>,
+    /// The word after the colon; where there is none, the inputs are quantities, or the kind is a mistake.
     pub kind: Option<Ident>,
+    /// The quantity of each input; none where they are of a kind.
+    pub of: Vec<Expr>,
 }
 
 /// `param l = 632mm;` or `param elbow: mode = left;`.
@@ -155,7 +158,7 @@ pub(crate) struct Solve {
 
 impl GroupStatement {
     /// A statement with fields, but without links or a pin.
-    pub(in crate::syntax) fn without_links(keyword: Ident, end: Span) -> Self {
+    pub(crate) fn without_links(keyword: Ident, end: Span) -> Self {
         Self {
             keyword,
             legs: Vec::new(),
