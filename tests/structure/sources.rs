@@ -44,8 +44,9 @@ pub(crate) struct Crate {
     pub sources: Vec<Source>,
 }
 
-const FOLDERS: [(&str, &str); 3] = [
+const FOLDERS: [(&str, &str); 4] = [
     ("linkage-core", "linkage-core/src"),
+    ("linkage-design", "linkage-core/design/src"),
     ("linkage-compiler", "linkage-macros/src"),
     ("linkage-compiler", "linkage-macros/compiler/src"),
 ];

@@ -1,0 +1,162 @@
+//! The question: free parameters, aims, keeps, and how long to search.
+
+use std::ops::{ControlFlow, RangeInclusive};
+
+use linkage_core::SolveError;
+
+use crate::error::DesignError;
+use crate::found::Found;
+use crate::kernel::{Kernel, Slsqp};
+use crate::problem::Problem;
+use crate::rows::{Block, Dual};
+use crate::search::Progress;
+use crate::starts::{Plan, ended, judge};
+
+type Told<'a> = Box<dyn FnMut(Progress) -> ControlFlow<()> + 'a>;
+
+/// A machine whose dimensions are sought; made by [`free!`](crate::free).
+///
+/// `M` is the machine on dual numbers, which aims and keeps are given; `F` the one that is found.
+#[must_use = "nothing is sought before `run`"]
+pub struct Design<'a, M, F, const N: usize> {
+    problem: Problem<'a, M, F, N>,
+    plan: Plan<N>,
+    kernel: Box<dyn Kernel + 'a>,
+    told: Told<'a>,
+}
+
+impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
+    /// The parameters of these names, whose declared values are the first start; `on_duals` and `on_numbers`
+    /// make the machine. [`free!`](crate::free) writes all of them.
+    pub fn new(
+        parameters: [&'static str; N],
+        declared: [f64; N],
+        on_duals: impl Fn([Dual<N>; N]) -> M + Send + Sync + 'a,
+        on_numbers: impl Fn([f64; N]) -> F + Send + Sync + 'a,
+    ) -> Self {
+        let ranges = declared.map(|value: f64| {
+            let ends = [0.2 * value, 5.0 * value];
+            if value < 0.0 { [ends[1], ends[0]] } else { ends }
+        });
+        let problem = Problem {
+            parameters,
+            declared,
+            ranges,
+            on_duals: Box::new(on_duals),
+            on_numbers: Box::new(on_numbers),
+            aims: Vec::new(),
+            keeps: Vec::new(),
+        };
+        Self {
+            problem,
+            plan: Plan { drawn: None, draws: 0, starts: 1, seed: 1, threads: 1 },
+            kernel: Box::new(Slsqp::default()),
+            told: Box::new(|_| ControlFlow::Continue(())),
+        }
+    }
+
+    /// The range of each parameter, in metres and radians; without it from a fifth to five times the declared
+    /// value.
+    pub fn within(mut self, ranges: [RangeInclusive<f64>; N]) -> Self {
+        self.problem.ranges = ranges.map(|range| [*range.start(), *range.end()]);
+        self
+    }
+
+    /// The ranges that draws and starts come from, where these are narrower than what may be found.
+    pub fn drawn_within(mut self, ranges: [RangeInclusive<f64>; N]) -> Self {
+        self.plan.drawn = Some(ranges.map(|range| [*range.start(), *range.end()]));
+        self
+    }
+
+    /// Residuals at each of some inputs: the sum of their squares becomes least. The name stands in errors.
+    pub fn aim<Q: Copy + core::fmt::Debug + Send + Sync + 'a, const R: usize>(
+        mut self,
+        name: &str,
+        at: impl IntoIterator<Item = Q>,
+        residuals: impl Fn(&M, Q) -> Result<[Dual<N>; R], SolveError> + Send + Sync + 'a,
+    ) -> Self {
+        self.problem.aims.push(Block::each(name, at.into_iter().collect(), residuals));
+        self
+    }
+
+    /// Reserves at each of some inputs: none of them becomes negative.
+    pub fn keep<Q: Copy + core::fmt::Debug + Send + Sync + 'a, const R: usize>(
+        mut self,
+        name: &str,
+        at: impl IntoIterator<Item = Q>,
+        reserves: impl Fn(&M, Q) -> Result<[Dual<N>; R], SolveError> + Send + Sync + 'a,
+    ) -> Self {
+        self.problem.keeps.push(Block::each(name, at.into_iter().collect(), reserves));
+        self
+    }
+
+    /// The number of random machines that are looked at, each once, before the best of them become starts.
+    /// Without it starts are drawn at random.
+    pub fn draws(mut self, draws: usize) -> Self {
+        self.plan.draws = draws;
+        self
+    }
+
+    /// The number of searches. The declared machine is the first.
+    pub fn starts(mut self, starts: usize) -> Self {
+        self.plan.starts = starts.max(1);
+        self
+    }
+
+    /// The seed of the random numbers; a seed is found again bit by bit.
+    pub fn seed(mut self, seed: u64) -> Self {
+        self.plan.seed = seed;
+        self
+    }
+
+    /// The number of threads; the result does not depend on it.
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.plan.threads = threads;
+        self
+    }
+
+    /// Another optimiser.
+    pub fn kernel(mut self, kernel: impl Kernel + 'a) -> Self {
+        self.kernel = Box::new(kernel);
+        self
+    }
+
+    /// A function that is told how far the search is. A break ends it with what is found.
+    pub fn on(mut self, told: impl FnMut(Progress) -> ControlFlow<()> + 'a) -> Self {
+        self.told = Box::new(told);
+        self
+    }
+
+    /// Searches.
+    ///
+    /// # Errors
+    /// See [`DesignError`].
+    pub fn run(mut self) -> Result<Found<F, N>, DesignError> {
+        self.check()?;
+        let starts = self.plan.starts(&self.problem, &mut *self.told)?;
+        let ended =
+            ended(&self.problem, &*self.kernel, &starts, self.plan.threads, &mut *self.told);
+        let (mut attempts, mut failures) = (Vec::new(), Vec::new());
+        for end in ended.into_iter().flatten() {
+            match end {
+                Ok(attempt) => attempts.push(attempt),
+                Err(failure) => failures.push(failure),
+            }
+        }
+        judge(&self.problem, &failures)?;
+        Found::of(&self.problem, attempts, &failures)
+    }
+
+    fn check(&self) -> Result<(), DesignError> {
+        for (i, &parameter) in self.problem.parameters.iter().enumerate() {
+            for [from, to] in
+                [Some(self.problem.ranges), self.plan.drawn].into_iter().flatten().map(|r| r[i])
+            {
+                if !(from < to && (to - from).is_finite()) {
+                    return Err(DesignError::Range { parameter, from, to });
+                }
+            }
+        }
+        if self.problem.aims.is_empty() { Err(DesignError::NoAim) } else { Ok(()) }
+    }
+}

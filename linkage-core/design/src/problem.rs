@@ -1,0 +1,84 @@
+//! A machine with free parameters, what is aimed at and what is kept, as a problem in numbers from 0 to 1.
+
+use linkage_core::num_dual::DualSVec;
+
+use crate::error::DesignError;
+use crate::kernel::{Evaluation, Goal};
+use crate::rows::{Block, Cause, Dual, Failure, Rows, computed};
+
+/// A machine whose parameters are given as numbers of a type.
+type Build<'a, T, M, const N: usize> = Box<dyn Fn([T; N]) -> M + Send + Sync + 'a>;
+
+/// All that a search asks, from any thread.
+pub(crate) struct Problem<'a, M, F, const N: usize> {
+    pub(crate) parameters: [&'static str; N],
+    pub(crate) declared: [f64; N],
+    pub(crate) ranges: [[f64; 2]; N],
+    pub(crate) on_duals: Build<'a, Dual<N>, M, N>,
+    pub(crate) on_numbers: Build<'a, f64, F, N>,
+    pub(crate) aims: Vec<Block<'a, M, N>>,
+    pub(crate) keeps: Vec<Block<'a, M, N>>,
+}
+
+impl<'a, M: 'a, F, const N: usize> Problem<'a, M, F, N> {
+    pub(crate) fn widths(&self) -> [f64; N] {
+        self.ranges.map(|[from, to]| to - from)
+    }
+
+    /// The parameters of numbers from 0 to 1; the ends of a range are met exactly.
+    pub(crate) fn parameters_at(&self, x: &[f64]) -> [f64; N] {
+        core::array::from_fn(|i| {
+            let [from, to] = self.ranges[i];
+            if x[i] >= 1.0 { to } else { from + x[i] * (to - from) }
+        })
+    }
+
+    /// The numbers from 0 to 1 of parameters; those beyond their range are brought to its end.
+    pub(crate) fn unit(&self, parameters: [f64; N]) -> [f64; N] {
+        core::array::from_fn(|i| {
+            let [from, to] = self.ranges[i];
+            ((parameters[i] - from) / (to - from)).clamp(0.0, 1.0)
+        })
+    }
+
+    /// The machine with derivatives by its parameters.
+    pub(crate) fn sloped(&self, parameters: [f64; N]) -> M {
+        (self.on_duals)(core::array::from_fn(|i| DualSVec::from_re(parameters[i]).derivative(i)))
+    }
+
+    /// The machine on the same numbers, without derivatives: what is zero of them is not computed.
+    pub(crate) fn plain(&self, parameters: [f64; N]) -> M {
+        (self.on_duals)(parameters.map(DualSVec::from_re))
+    }
+
+    pub(crate) fn evaluated(&self, x: &[f64], with_slopes: bool) -> Result<Evaluation, Failure> {
+        let parameters = self.parameters_at(x);
+        let machine = if with_slopes { self.sloped(parameters) } else { self.plain(parameters) };
+        let aims = computed(&self.aims, 0, &machine)?;
+        let keeps = computed(&self.keeps, self.aims.len(), &machine)?;
+        let widths = self.widths();
+        Ok(Evaluation { aims: Rows::of(&aims, &widths), keeps: Rows::of(&keeps, &widths) })
+    }
+
+    /// The block of a failure, by its index among aims and then keeps.
+    pub(crate) fn block(&self, index: usize) -> &Block<'a, M, N> {
+        let keep = index.checked_sub(self.aims.len());
+        keep.map_or_else(|| &self.aims[index], |keep| &self.keeps[keep])
+    }
+
+    /// The error that a failure is, if nothing better is known.
+    pub(crate) fn error(&self, failure: Failure) -> DesignError {
+        let block = self.block(failure.block);
+        let (of, at) = (block.name.clone(), block.place(failure.place));
+        match failure.cause {
+            Cause::Refused(nearest) => DesignError::Unassembled { nearest, of, at },
+            Cause::NotANumber => DesignError::NotANumber { of, at },
+        }
+    }
+}
+
+impl<'a, M: 'a, F, const N: usize> Goal for Problem<'a, M, F, N> {
+    fn evaluate(&self, x: &[f64], with_slopes: bool) -> Option<Evaluation> {
+        self.evaluated(x, with_slopes).ok()
+    }
+}

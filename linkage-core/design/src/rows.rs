@@ -1,0 +1,148 @@
+//! Rows of numbers that a machine gives at each of some inputs: residuals of aims, and reserves of keeps.
+
+use linkage_core::SolveError;
+use linkage_core::num_dual::{Derivative, DualSVec};
+use nalgebra::{DMatrix, DVector};
+
+/// A number with its derivatives by N parameters.
+pub type Dual<const N: usize> = DualSVec<f64, N>;
+
+/// Why rows were not computed, and at which place of the list of inputs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Cause {
+    Refused(SolveError),
+    NotANumber,
+}
+
+/// Where a block failed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Failure {
+    /// Index of the block among aims and then keeps.
+    pub(crate) block: usize,
+    /// Index of the input.
+    pub(crate) place: usize,
+    pub(crate) cause: Cause,
+}
+
+type Compute<'a, M, const N: usize> =
+    dyn Fn(&M, &mut Vec<Dual<N>>) -> Result<(), (usize, Cause)> + Send + Sync + 'a;
+
+type Place<'a> = dyn Fn(usize) -> String + Send + Sync + 'a;
+
+/// An aim or a keep.
+pub(crate) struct Block<'a, M, const N: usize> {
+    pub(crate) name: String,
+    compute: Box<Compute<'a, M, N>>,
+    place: Box<Place<'a>>,
+    /// Rows at a place.
+    width: usize,
+    /// Numbers beside the parameters that the rows were freed of.
+    pub(crate) eliminated: usize,
+}
+
+impl<'a, M: 'a, const N: usize> Block<'a, M, N> {
+    /// Rows by a function at each of some inputs.
+    pub(crate) fn each<Q: Copy + core::fmt::Debug + Send + Sync + 'a, const R: usize>(
+        name: &str,
+        at: Vec<Q>,
+        rows: impl Fn(&M, Q) -> Result<[Dual<N>; R], SolveError> + Send + Sync + 'a,
+    ) -> Self {
+        let places = at.clone();
+        let compute = move |machine: &M, to: &mut Vec<Dual<N>>| {
+            for (place, &q) in at.iter().enumerate() {
+                to.extend(rows(machine, q).map_err(|error| (place, Cause::Refused(error)))?);
+                finite(&to[to.len() - R..]).map_err(|cause| (place, cause))?;
+            }
+            Ok(())
+        };
+        Self::of(name, R, 0, compute, move |place| format!("{:?}", places[place]))
+    }
+
+    /// Rows by a function of the whole machine.
+    pub(crate) fn of(
+        name: &str,
+        width: usize,
+        eliminated: usize,
+        compute: impl Fn(&M, &mut Vec<Dual<N>>) -> Result<(), (usize, Cause)> + Send + Sync + 'a,
+        place: impl Fn(usize) -> String + Send + Sync + 'a,
+    ) -> Self {
+        let (compute, place) = (Box::new(compute), Box::new(place));
+        Self { name: name.into(), compute, place, width, eliminated }
+    }
+
+    /// The input at a place of the list.
+    pub(crate) fn place(&self, place: usize) -> String {
+        (self.place)(place)
+    }
+
+    /// The input that a row belongs to.
+    pub(crate) fn input_of(&self, row: usize) -> String {
+        self.place(row / self.width.max(1))
+    }
+}
+
+/// Checks that a function gave numbers. A derivative that does not exist, as at the limit of assembly, is a
+/// refusal: the machine is sound, and a search goes elsewhere.
+pub(crate) fn finite<const N: usize>(rows: &[Dual<N>]) -> Result<(), Cause> {
+    let is_smooth = |row: &Dual<N>| match &row.eps {
+        Derivative(Some(slopes)) => slopes.iter().all(|slope| slope.is_finite()),
+        _ => true,
+    };
+    if !rows.iter().all(|row| row.re.is_finite()) {
+        return Err(Cause::NotANumber);
+    }
+    let singular = Cause::Refused(SolveError::Singular { group: "the derivative" });
+    rows.iter().all(is_smooth).then_some(()).ok_or(singular)
+}
+
+/// The rows of all blocks, with derivatives where the machine's parameters carry any.
+pub(crate) fn computed<M, const N: usize>(
+    blocks: &[Block<'_, M, N>],
+    first: usize,
+    machine: &M,
+) -> Result<Vec<Dual<N>>, Failure> {
+    let mut rows = Vec::new();
+    for (index, block) in blocks.iter().enumerate() {
+        (block.compute)(machine, &mut rows).map_err(|(place, cause)| Failure {
+            block: first + index,
+            place,
+            cause,
+        })?;
+    }
+    Ok(rows)
+}
+
+/// The name and the input of each row of some blocks.
+pub(crate) fn named<'a, M: 'a, const N: usize>(
+    blocks: &[Block<'a, M, N>],
+    machine: &M,
+) -> Vec<(String, String)> {
+    let mut all = Vec::new();
+    for block in blocks {
+        let mut rows = Vec::new();
+        // A block that fails has been told of already.
+        let _ = (block.compute)(machine, &mut rows);
+        all.extend((0..rows.len()).map(|row| (block.name.clone(), block.input_of(row))));
+    }
+    all
+}
+
+/// Values, and a row of derivatives for each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rows {
+    /// The numbers.
+    pub values: DVector<f64>,
+    /// Their derivatives, a column a parameter.
+    pub slopes: DMatrix<f64>,
+}
+
+impl Rows {
+    pub(crate) fn of<const N: usize>(duals: &[Dual<N>], scale: &[f64; N]) -> Self {
+        let values = DVector::from_iterator(duals.len(), duals.iter().map(|dual| dual.re));
+        let slope = |row: usize, column: usize| match &duals[row].eps {
+            Derivative(Some(slopes)) => slopes[column] * scale[column],
+            _ => 0.0,
+        };
+        Self { values, slopes: DMatrix::from_fn(duals.len(), N, slope) }
+    }
+}

@@ -1,0 +1,176 @@
+//! From random draws to starts, and from each start to its end.
+
+use std::ops::ControlFlow;
+
+use linkage_core::SolveError;
+
+use crate::error::DesignError;
+use crate::kernel::Kernel;
+use crate::optimality::ACTIVE;
+use crate::problem::Problem;
+use crate::random::Random;
+use crate::rows::{Cause, Failure};
+use crate::search::{Progress, Stage, each};
+
+/// The end of one search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Attempt<const N: usize> {
+    pub(crate) draw: usize,
+    pub(crate) x: [f64; N],
+    pub(crate) cost: f64,
+    pub(crate) violation: f64,
+}
+
+/// How starts are chosen, and how many.
+pub(crate) struct Plan<const N: usize> {
+    pub(crate) drawn: Option<[[f64; 2]; N]>,
+    pub(crate) draws: usize,
+    pub(crate) starts: usize,
+    pub(crate) seed: u64,
+    pub(crate) threads: usize,
+}
+
+/// A place between the ranges, with the number of its draw.
+pub(crate) type Start<const N: usize> = (usize, [f64; N]);
+
+type Told<'t> = &'t mut dyn FnMut(Progress) -> ControlFlow<()>;
+
+impl<const N: usize> Plan<N> {
+    /// The declared machine, and random ones.
+    fn drawn<'a, M: 'a, F>(&self, problem: &Problem<'a, M, F, N>, draw: usize) -> [f64; N] {
+        if draw == 0 {
+            return problem.unit(problem.declared);
+        }
+        let mut random = Random::of(self.seed, draw);
+        let ranges = self.drawn.unwrap_or(problem.ranges);
+        problem.unit(ranges.map(|[from, to]| from + (to - from) * random.uniform()))
+    }
+
+    /// The starts: the best of the draws, or the first of them.
+    pub(crate) fn starts<'a, M: 'a, F>(
+        &self,
+        problem: &Problem<'a, M, F, N>,
+        told: Told<'_>,
+    ) -> Result<Vec<Start<N>>, DesignError> {
+        if self.draws == 0 {
+            let start = |draw| (draw, self.drawn(problem, draw));
+            return Ok((0..self.starts).map(start).collect());
+        }
+        let (of, mut count) = (self.draws, 0_usize);
+        let looked = each(
+            of,
+            self.threads,
+            |draw| {
+                let at = problem.evaluated(&self.drawn(problem, draw), false)?;
+                Ok((at.cost(), at.shortage()))
+            },
+            |_, looked| {
+                count += 1;
+                // A line of progress is for a reader.
+                let is_news = count.is_multiple_of(1000) || count == of;
+                match looked {
+                    looked if is_fault(looked) => ControlFlow::Break(()),
+                    _ if is_news => {
+                        told(Progress { stage: Stage::Draws, done: count, of, best: None })
+                    }
+                    _ => ControlFlow::Continue(()),
+                }
+            },
+        );
+        let (mut seen, mut failures) = (Vec::new(), Vec::new());
+        for (draw, looked) in looked.into_iter().enumerate() {
+            match looked {
+                Some(Ok((cost, shortage))) => seen.push((draw, cost, shortage)),
+                Some(Err(failure)) => failures.push(failure),
+                None => {}
+            }
+        }
+        judge(problem, &failures)?;
+        if seen.is_empty() {
+            return Err(nearest(problem, &failures));
+        }
+        let best = best_of(seen, self.starts);
+        Ok(best.into_iter().map(|draw| (draw, self.drawn(problem, draw))).collect())
+    }
+}
+
+/// The draws of the least cost, with a weight of the shortage that makes both of one size: the quotient of
+/// their medians.
+fn best_of(mut seen: Vec<(usize, f64, f64)>, count: usize) -> Vec<usize> {
+    let median = |mut numbers: Vec<f64>| {
+        numbers.sort_by(f64::total_cmp);
+        numbers.get(numbers.len() / 2).copied()
+    };
+    let costs = median(seen.iter().map(|seen| seen.1).collect());
+    let shortages = median(seen.iter().map(|seen| seen.2).filter(|short| *short > 0.0).collect());
+    let weight = costs.zip(shortages).map_or(0.0, |(cost, short)| cost / short);
+    seen.sort_by(|a, b| (a.1 + weight * a.2).total_cmp(&(b.1 + weight * b.2)));
+    seen.into_iter().take(count).map(|seen| seen.0).collect()
+}
+
+/// The ends of the searches from all starts, or why one could not begin.
+pub(crate) fn ended<'a, M: 'a, F, const N: usize>(
+    problem: &Problem<'a, M, F, N>,
+    kernel: &dyn Kernel,
+    starts: &[Start<N>],
+    threads: usize,
+    told: Told<'_>,
+) -> Vec<Option<Result<Attempt<N>, Failure>>> {
+    let (mut count, mut best, of) = (0, None, starts.len());
+    each(
+        of,
+        threads,
+        |index| attempt(problem, kernel, starts[index]),
+        |_, ended| {
+            count += 1;
+            if let Ok(Attempt { cost, violation, .. }) = ended
+                && *violation <= ACTIVE
+                && best.is_none_or(|best| *cost < best)
+            {
+                best = Some(*cost);
+            }
+            let progress = Progress { stage: Stage::Starts, done: count, of, best };
+            if is_fault(ended) { ControlFlow::Break(()) } else { told(progress) }
+        },
+    )
+}
+
+/// One search.
+fn attempt<'a, M: 'a, F, const N: usize>(
+    problem: &Problem<'a, M, F, N>,
+    kernel: &dyn Kernel,
+    (draw, start): Start<N>,
+) -> Result<Attempt<N>, Failure> {
+    problem.evaluated(&start, true)?;
+    let end = kernel.search(problem, &start);
+    let x: [f64; N] = core::array::from_fn(|i| end[i]);
+    let at = problem.evaluated(&x, true)?;
+    Ok(Attempt { draw, x, cost: at.cost(), violation: at.violation() })
+}
+
+/// True for a number that is none: a fault of the question, which ends a search.
+fn is_fault<T>(result: &Result<T, Failure>) -> bool {
+    matches!(result, Err(Failure { cause: Cause::NotANumber, .. }))
+}
+
+/// The error of a number that is none, if there is one.
+pub(crate) fn judge<'a, M: 'a, F, const N: usize>(
+    problem: &Problem<'a, M, F, N>,
+    failures: &[Failure],
+) -> Result<(), DesignError> {
+    let fault = failures.iter().find(|failure| failure.cause == Cause::NotANumber);
+    fault.map_or(Ok(()), |&fault| Err(problem.error(fault)))
+}
+
+/// The error of the start that was nearest to being assembled.
+pub(crate) fn nearest<'a, M: 'a, F, const N: usize>(
+    problem: &Problem<'a, M, F, N>,
+    failures: &[Failure],
+) -> DesignError {
+    let short = |failure: &&Failure| match failure.cause {
+        Cause::Refused(SolveError::OutOfReach { by, .. }) => by,
+        _ => f64::INFINITY,
+    };
+    let nearest = failures.iter().min_by(|a, b| short(a).total_cmp(&short(b)));
+    nearest.map_or(DesignError::NoAim, |&failure| problem.error(failure))
+}
