@@ -21,7 +21,7 @@ pub(crate) struct Attempt<const N: usize> {
     pub(crate) violation: f64,
 }
 
-/// How starts are chosen, and how many.
+/// The choice and the number of starts.
 pub(crate) struct Plan<const N: usize> {
     pub(crate) drawn: Option<[[f64; 2]; N]>,
     pub(crate) draws: usize,
@@ -33,7 +33,7 @@ pub(crate) struct Plan<const N: usize> {
 /// A place between the ranges, with the number of its draw.
 pub(crate) type Start<const N: usize> = (usize, [f64; N]);
 
-type Told<'t> = &'t mut dyn FnMut(Progress) -> ControlFlow<()>;
+type Watch<'t> = &'t mut dyn FnMut(Progress) -> ControlFlow<()>;
 
 impl<const N: usize> Plan<N> {
     /// The declared machine, and random ones.
@@ -50,7 +50,7 @@ impl<const N: usize> Plan<N> {
     pub(crate) fn starts<'a, M: 'a, F>(
         &self,
         problem: &Problem<'a, M, F, N>,
-        told: Told<'_>,
+        told: Watch<'_>,
     ) -> Result<Vec<Start<N>>, DesignError> {
         if self.draws == 0 {
             let start = |draw| (draw, self.drawn(problem, draw));
@@ -114,7 +114,7 @@ pub(crate) fn ended<'a, M: 'a, F, const N: usize>(
     kernel: &dyn Kernel,
     starts: &[Start<N>],
     threads: usize,
-    told: Told<'_>,
+    told: Watch<'_>,
 ) -> Vec<Option<Result<Attempt<N>, Failure>>> {
     let (mut count, mut best, of) = (0, None, starts.len());
     each(
