@@ -5,12 +5,16 @@ use std::ops::{ControlFlow, RangeInclusive};
 use linkage_core::SolveError;
 
 use crate::error::DesignError;
-use crate::found::Found;
+use crate::found::{Counts, Found};
+use crate::guards::{Confirmed, Guard, Verdict};
 use crate::kernel::{Kernel, Slsqp};
 use crate::problem::Problem;
 use crate::rows::{Block, Dual};
 use crate::search::Progress;
-use crate::starts::{Plan, ended, judge};
+use crate::starts::{Begin, Plan, judge, parted};
+
+/// The most times that samples are added and the search goes on from its ends.
+const ROUNDS: usize = 12;
 
 type Told<'a> = Box<dyn FnMut(Progress) -> ControlFlow<()> + 'a>;
 
@@ -23,6 +27,7 @@ pub struct Design<'a, M, F, const N: usize> {
     plan: Plan<N>,
     kernel: Box<dyn Kernel + 'a>,
     told: Told<'a>,
+    pub(crate) guards: Vec<Guard<'a, M, F>>,
 }
 
 impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
@@ -46,12 +51,14 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
             on_numbers: Box::new(on_numbers),
             aims: Vec::new(),
             keeps: Vec::new(),
+            reaches: Vec::new(),
         };
         Self {
             problem,
             plan: Plan { drawn: None, draws: 0, starts: 1, seed: 1, threads: 1 },
             kernel: Box::new(Slsqp::default()),
             told: Box::new(|_| ControlFlow::Continue(())),
+            guards: Vec::new(),
         }
     }
 
@@ -70,24 +77,22 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
 
     /// Residuals at each of some inputs: the sum of their squares becomes least. The name stands in errors.
     pub fn aim<Q: Copy + core::fmt::Debug + Send + Sync + 'a, const R: usize>(
-        mut self,
+        self,
         name: &str,
         at: impl IntoIterator<Item = Q>,
         residuals: impl Fn(&M, Q) -> Result<[Dual<N>; R], SolveError> + Send + Sync + 'a,
     ) -> Self {
-        self.problem.aims.push(Block::each(name, at.into_iter().collect(), residuals));
-        self
+        self.aimed(Block::each(name, at.into_iter().collect(), residuals))
     }
 
     /// Reserves at each of some inputs: none of them becomes negative.
     pub fn keep<Q: Copy + core::fmt::Debug + Send + Sync + 'a, const R: usize>(
-        mut self,
+        self,
         name: &str,
         at: impl IntoIterator<Item = Q>,
         reserves: impl Fn(&M, Q) -> Result<[Dual<N>; R], SolveError> + Send + Sync + 'a,
     ) -> Self {
-        self.problem.keeps.push(Block::each(name, at.into_iter().collect(), reserves));
-        self
+        self.kept(Block::each(name, at.into_iter().collect(), reserves)).1
     }
 
     /// The number of random machines that are looked at, each once, before the best of them become starts.
@@ -133,18 +138,63 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
     /// See [`DesignError`].
     pub fn run(mut self) -> Result<Found<F, N>, DesignError> {
         self.check()?;
-        let starts = self.plan.starts(&self.problem, &mut *self.told)?;
-        let ended =
-            ended(&self.problem, &*self.kernel, &starts, self.plan.threads, &mut *self.told);
-        let (mut attempts, mut failures) = (Vec::new(), Vec::new());
-        for end in ended.into_iter().flatten() {
-            match end {
-                Ok(attempt) => attempts.push(attempt),
-                Err(failure) => failures.push(failure),
+        let mut starts = self.plan.starts(&self.problem, &mut *self.told)?;
+        let mut rounds = ROUNDS;
+        let mut first = None;
+        loop {
+            let begin = Begin { plan: &self.plan, problem: &self.problem, kernel: &*self.kernel };
+            let (attempts, failures) = parted(begin.ended(&starts, &mut *self.told));
+            judge(&self.problem, &failures)?;
+            starts = attempts.iter().map(|attempt| (attempt.draw, attempt.x)).collect();
+            let mut found = Found::of(&self.problem, attempts, &failures)?;
+            // Later rounds begin where the first one ended.
+            let Counts { mended, redrawn, .. } = *first.get_or_insert(found.counts);
+            found.counts = Counts { mended, redrawn, ..found.counts };
+            found.confirmed = self.confirmed(&found);
+            rounds -= 1;
+            if rounds == 0 || !self.add_samples(&found.confirmed) {
+                return Ok(found);
             }
         }
-        judge(&self.problem, &failures)?;
-        Found::of(&self.problem, attempts, &failures)
+    }
+
+    fn confirmed(&self, found: &Found<F, N>) -> Vec<Confirmed> {
+        let plain = self.problem.machine(found.values, false);
+        let confirmed = |guard: &Guard<'a, M, F>| Confirmed {
+            keep: self.problem.keeps[guard.keep].name.clone(),
+            verdict: guard.verdict(&found.solver, &plain),
+        };
+        self.guards.iter().map(confirmed).collect()
+    }
+
+    /// Adds the inputs at which a condition is broken to its samples; true where there are any.
+    fn add_samples(&mut self, confirmed: &[Confirmed]) -> bool {
+        let mut is_more = false;
+        for (guard, Confirmed { verdict, .. }) in self.guards.iter().zip(confirmed) {
+            let samples = &mut self.problem.keeps[guard.keep].samples;
+            if let Verdict::Not { at } = verdict {
+                let new: Vec<f64> = at.iter().copied().filter(|at| !samples.contains(at)).collect();
+                is_more |= !new.is_empty();
+                samples.extend(new);
+            }
+        }
+        is_more
+    }
+
+    pub(crate) fn aimed(mut self, aim: Block<'a, M, N>) -> Self {
+        self.problem.aims.push(aim);
+        self
+    }
+
+    /// The index of a keep, and the design with it.
+    pub(crate) fn kept(mut self, keep: Block<'a, M, N>) -> (usize, Self) {
+        self.problem.keeps.push(keep);
+        (self.problem.keeps.len() - 1, self)
+    }
+
+    /// Adds clearances by which starts are mended.
+    pub(crate) fn reaches(&mut self, reach: impl Fn(&M, &mut Vec<Dual<N>>) + Send + Sync + 'a) {
+        self.problem.reaches.push(Box::new(reach));
     }
 
     fn check(&self) -> Result<(), DesignError> {

@@ -5,11 +5,12 @@ use core::fmt;
 use nalgebra::DMatrix;
 
 use crate::error::DesignError;
+use crate::guards::{Confirmed, Verdict};
 use crate::kernel::Evaluation;
 use crate::optimality::{ACTIVE, Limit, Optimality};
 use crate::problem::Problem;
 use crate::rows::{Failure, named};
-use crate::starts::{Attempt, nearest};
+use crate::starts::{Attempt, Begun, nearest};
 
 /// A limit that the found machine is at.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,7 +41,11 @@ pub struct Counts {
     pub here: usize,
     /// Searches that end where something is not kept.
     pub violating: usize,
-    /// Starts that could not be assembled.
+    /// Starts that could not be assembled and were mended.
+    pub mended: usize,
+    /// Starts that could not be assembled and were drawn again.
+    pub redrawn: usize,
+    /// Starts that could not be assembled, however often they were drawn.
     pub refused: usize,
 }
 
@@ -66,6 +71,8 @@ pub struct Found<F, const N: usize> {
     pub counts: Counts,
     /// The parameters that the aims leave open, together with what is at its limit.
     pub undetermined: Vec<&'static str>,
+    /// Conditions over a range, and whether they hold between the samples.
+    pub confirmed: Vec<Confirmed>,
     deviations: Option<[f64; N]>,
 }
 
@@ -92,7 +99,7 @@ impl<F, const N: usize> Found<F, N> {
         let Some(&best) = attempts.first() else { return Err(nearest(problem, failures)) };
         let at = problem.evaluated(&best.x, true).map_err(|failure| problem.error(failure))?;
         let parameters = problem.parameters_at(&best.x);
-        let names = named(&problem.keeps, &problem.plain(parameters));
+        let names = named(&problem.keeps, &problem.machines(parameters, false));
         if !is_kept(&best) {
             let short = at.keeps.values.iter().zip(&names).filter(|(reserve, _)| **reserve < 0.0);
             let violated = short.map(|(short, name)| (of_input(name), -short)).collect();
@@ -100,10 +107,13 @@ impl<F, const N: usize> Found<F, N> {
         }
         let kept = attempts.iter().filter(|attempt| is_kept(attempt));
         let ends = ends(problem, kept);
+        let begun = |how| attempts.iter().filter(|attempt| attempt.begun == how).count();
         let counts = Counts {
             starts,
             here: ends[0].starts,
             violating: attempts.iter().filter(|attempt| !is_kept(attempt)).count(),
+            mended: begun(Begun::Mended),
+            redrawn: begun(Begun::Redrawn),
             refused: failures.len(),
         };
         let optimality = Optimality::of(&best.x, &at);
@@ -118,6 +128,7 @@ impl<F, const N: usize> Found<F, N> {
             others: ends[1..].to_vec(),
             counts,
             undetermined,
+            confirmed: Vec::new(),
             deviations,
         })
     }
@@ -239,7 +250,7 @@ impl<F, const N: usize> fmt::Display for Found<F, N> {
                 _ => writeln!(f)?,
             }
         }
-        let Counts { starts, here, violating, refused } = self.counts;
+        let Counts { starts, here, violating, refused, .. } = self.counts;
         write!(f, "sum of squares {:.9e}; {here} of {starts} starts end here", self.cost)?;
         if violating > 0 {
             write!(f, ", {violating} where not all is kept")?;
@@ -250,6 +261,13 @@ impl<F, const N: usize> fmt::Display for Found<F, N> {
         writeln!(f)?;
         for Price { at, price } in &self.prices {
             writeln!(f, "at its limit: {at}; price {price:.3e} a unit")?;
+        }
+        for Confirmed { keep, verdict } in &self.confirmed {
+            match verdict {
+                Verdict::Everywhere => writeln!(f, "{keep}: confirmed over the whole range")?,
+                Verdict::Not { at } => writeln!(f, "{keep}: not kept near {at:?}")?,
+                Verdict::Unknown(why) => writeln!(f, "{keep}: not confirmed, {why}")?,
+            }
         }
         if !self.undetermined.is_empty() {
             writeln!(f, "left open by the aims: {}", self.undetermined.join(", "))?;

@@ -58,20 +58,28 @@
 mod design;
 mod error;
 mod found;
+mod guards;
 mod kernel;
+mod mend;
+mod nearest;
 mod optimality;
+mod placed;
 mod problem;
 mod random;
 mod rows;
 mod search;
 mod starts;
+mod targets;
 
 pub use design::Design;
 pub use error::DesignError;
 pub use found::{Counts, Found, Other, Price};
+pub use guards::{Confirmed, Verdict};
 pub use kernel::{Evaluation, Goal, Kernel, Slsqp};
+pub use placed::{Placement, placement};
 pub use rows::{Dual, Rows};
 pub use search::{Progress, Stage};
+pub use targets::{Follows, Pose};
 
 /// The parameters of a machine that a design may change: `free!(Press: rod, crank)`.
 ///

@@ -4,10 +4,13 @@ use linkage_core::num_dual::DualSVec;
 
 use crate::error::DesignError;
 use crate::kernel::{Evaluation, Goal};
-use crate::rows::{Block, Cause, Dual, Failure, Rows, computed};
+use crate::rows::{Block, Cause, Dual, Failure, Machines, Rows, computed};
 
 /// A machine whose parameters are given as numbers of a type.
 type Build<'a, T, M, const N: usize> = Box<dyn Fn([T; N]) -> M + Send + Sync + 'a>;
+
+/// Clearances that have slopes beyond the limits of assembly, too.
+type Reach<'a, M, const N: usize> = Box<dyn Fn(&M, &mut Vec<Dual<N>>) + Send + Sync + 'a>;
 
 /// All that a search asks, from any thread.
 pub(crate) struct Problem<'a, M, F, const N: usize> {
@@ -18,6 +21,8 @@ pub(crate) struct Problem<'a, M, F, const N: usize> {
     pub(crate) on_numbers: Build<'a, f64, F, N>,
     pub(crate) aims: Vec<Block<'a, M, N>>,
     pub(crate) keeps: Vec<Block<'a, M, N>>,
+    /// By these a start is mended that cannot be assembled.
+    pub(crate) reaches: Vec<Reach<'a, M, N>>,
 }
 
 impl<'a, M: 'a, F, const N: usize> Problem<'a, M, F, N> {
@@ -41,21 +46,24 @@ impl<'a, M: 'a, F, const N: usize> Problem<'a, M, F, N> {
         })
     }
 
-    /// The machine with derivatives by its parameters.
-    pub(crate) fn sloped(&self, parameters: [f64; N]) -> M {
-        (self.on_duals)(core::array::from_fn(|i| DualSVec::from_re(parameters[i]).derivative(i)))
+    /// The machine with derivatives by its parameters, or without: what is zero of them is not computed.
+    pub(crate) fn machine(&self, parameters: [f64; N], with_slopes: bool) -> M {
+        (self.on_duals)(core::array::from_fn(|i| {
+            let number = DualSVec::from_re(parameters[i]);
+            if with_slopes { number.derivative(i) } else { number }
+        }))
     }
 
-    /// The machine on the same numbers, without derivatives: what is zero of them is not computed.
-    pub(crate) fn plain(&self, parameters: [f64; N]) -> M {
-        (self.on_duals)(parameters.map(DualSVec::from_re))
+    pub(crate) fn machines(&self, parameters: [f64; N], with_slopes: bool) -> Machines<M> {
+        let machine = |with_slopes| self.machine(parameters, with_slopes);
+        Machines { sloped: machine(with_slopes), plain: machine(false) }
     }
 
     pub(crate) fn evaluated(&self, x: &[f64], with_slopes: bool) -> Result<Evaluation, Failure> {
         let parameters = self.parameters_at(x);
-        let machine = if with_slopes { self.sloped(parameters) } else { self.plain(parameters) };
-        let aims = computed(&self.aims, 0, &machine)?;
-        let keeps = computed(&self.keeps, self.aims.len(), &machine)?;
+        let machines = self.machines(parameters, with_slopes);
+        let aims = computed(&self.aims, 0, &machines)?;
+        let keeps = computed(&self.keeps, self.aims.len(), &machines)?;
         let widths = self.widths();
         Ok(Evaluation { aims: Rows::of(&aims, &widths), keeps: Rows::of(&keeps, &widths) })
     }

@@ -24,10 +24,20 @@ pub(crate) struct Failure {
     pub(crate) cause: Cause,
 }
 
-type Compute<'a, M, const N: usize> =
-    dyn Fn(&M, &mut Vec<Dual<N>>) -> Result<(), (usize, Cause)> + Send + Sync + 'a;
+/// A machine with derivatives by its parameters, and the same without.
+pub(crate) struct Machines<M> {
+    pub(crate) sloped: M,
+    /// For places that are sought along an input: they do not need the derivatives.
+    pub(crate) plain: M,
+}
 
-type Place<'a> = dyn Fn(usize) -> String + Send + Sync + 'a;
+/// The rows of machines, at samples that a search may add to.
+type Compute<'a, M, const N: usize> = dyn Fn(&Machines<M>, &[f64], &mut Vec<Dual<N>>) -> Result<(), (usize, Cause)>
+    + Send
+    + Sync
+    + 'a;
+
+type Place<'a> = dyn Fn(&[f64], usize) -> String + Send + Sync + 'a;
 
 /// An aim or a keep.
 pub(crate) struct Block<'a, M, const N: usize> {
@@ -36,6 +46,8 @@ pub(crate) struct Block<'a, M, const N: usize> {
     place: Box<Place<'a>>,
     /// Rows at a place.
     width: usize,
+    /// Inputs that confirmation may add to.
+    pub(crate) samples: Vec<f64>,
     /// Numbers beside the parameters that the rows were freed of.
     pub(crate) eliminated: usize,
 }
@@ -48,14 +60,16 @@ impl<'a, M: 'a, const N: usize> Block<'a, M, N> {
         rows: impl Fn(&M, Q) -> Result<[Dual<N>; R], SolveError> + Send + Sync + 'a,
     ) -> Self {
         let places = at.clone();
-        let compute = move |machine: &M, to: &mut Vec<Dual<N>>| {
+        let compute = move |machines: &Machines<M>, _: &[f64], to: &mut Vec<Dual<N>>| {
             for (place, &q) in at.iter().enumerate() {
-                to.extend(rows(machine, q).map_err(|error| (place, Cause::Refused(error)))?);
+                to.extend(
+                    rows(&machines.sloped, q).map_err(|error| (place, Cause::Refused(error)))?,
+                );
                 finite(&to[to.len() - R..]).map_err(|cause| (place, cause))?;
             }
             Ok(())
         };
-        Self::of(name, R, 0, compute, move |place| format!("{:?}", places[place]))
+        Self::of(name, R, 0, compute, move |_, place| format!("{:?}", places[place]))
     }
 
     /// Rows by a function of the whole machine.
@@ -63,16 +77,47 @@ impl<'a, M: 'a, const N: usize> Block<'a, M, N> {
         name: &str,
         width: usize,
         eliminated: usize,
-        compute: impl Fn(&M, &mut Vec<Dual<N>>) -> Result<(), (usize, Cause)> + Send + Sync + 'a,
-        place: impl Fn(usize) -> String + Send + Sync + 'a,
+        compute: impl Fn(&Machines<M>, &[f64], &mut Vec<Dual<N>>) -> Result<(), (usize, Cause)>
+        + Send
+        + Sync
+        + 'a,
+        place: impl Fn(&[f64], usize) -> String + Send + Sync + 'a,
     ) -> Self {
         let (compute, place) = (Box::new(compute), Box::new(place));
-        Self { name: name.into(), compute, place, width, eliminated }
+        Self { name: name.into(), compute, place, width, samples: Vec::new(), eliminated }
+    }
+
+    /// Rows by a function at samples.
+    pub(crate) fn sampled(
+        name: &str,
+        samples: Vec<f64>,
+        width: usize,
+        rows: impl Fn(&M, f64, &mut Vec<Dual<N>>) -> Result<(), SolveError> + Send + Sync + 'a,
+    ) -> Self {
+        let compute = move |machines: &Machines<M>, samples: &[f64], to: &mut Vec<Dual<N>>| {
+            for (place, &q) in samples.iter().enumerate() {
+                let before = to.len();
+                rows(&machines.sloped, q, to).map_err(|error| (place, Cause::Refused(error)))?;
+                finite(&to[before..]).map_err(|cause| (place, cause))?;
+            }
+            Ok(())
+        };
+        let place = |samples: &[f64], place: usize| format!("{:?}", samples[place]);
+        Self { samples, ..Self::of(name, width, 0, compute, place) }
+    }
+
+    /// Adds the rows of this block.
+    pub(crate) fn add(
+        &self,
+        machines: &Machines<M>,
+        to: &mut Vec<Dual<N>>,
+    ) -> Result<(), (usize, Cause)> {
+        (self.compute)(machines, &self.samples, to)
     }
 
     /// The input at a place of the list.
     pub(crate) fn place(&self, place: usize) -> String {
-        (self.place)(place)
+        (self.place)(&self.samples, place)
     }
 
     /// The input that a row belongs to.
@@ -96,14 +141,14 @@ pub(crate) fn finite<const N: usize>(rows: &[Dual<N>]) -> Result<(), Cause> {
 }
 
 /// The rows of all blocks, with derivatives where the machine's parameters carry any.
-pub(crate) fn computed<M, const N: usize>(
-    blocks: &[Block<'_, M, N>],
+pub(crate) fn computed<'a, M: 'a, const N: usize>(
+    blocks: &[Block<'a, M, N>],
     first: usize,
-    machine: &M,
+    machines: &Machines<M>,
 ) -> Result<Vec<Dual<N>>, Failure> {
     let mut rows = Vec::new();
     for (index, block) in blocks.iter().enumerate() {
-        (block.compute)(machine, &mut rows).map_err(|(place, cause)| Failure {
+        block.add(machines, &mut rows).map_err(|(place, cause)| Failure {
             block: first + index,
             place,
             cause,
@@ -115,13 +160,13 @@ pub(crate) fn computed<M, const N: usize>(
 /// The name and the input of each row of some blocks.
 pub(crate) fn named<'a, M: 'a, const N: usize>(
     blocks: &[Block<'a, M, N>],
-    machine: &M,
+    machines: &Machines<M>,
 ) -> Vec<(String, String)> {
     let mut all = Vec::new();
     for block in blocks {
         let mut rows = Vec::new();
         // A block that fails has been told of already.
-        let _ = (block.compute)(machine, &mut rows);
+        let _ = block.add(machines, &mut rows);
         all.extend((0..rows.len()).map(|row| (block.name.clone(), block.input_of(row))));
     }
     all

@@ -6,6 +6,7 @@ use linkage_core::SolveError;
 
 use crate::error::DesignError;
 use crate::kernel::Kernel;
+use crate::mend::mended;
 use crate::optimality::ACTIVE;
 use crate::problem::Problem;
 use crate::random::Random;
@@ -19,7 +20,19 @@ pub(crate) struct Attempt<const N: usize> {
     pub(crate) x: [f64; N],
     pub(crate) cost: f64,
     pub(crate) violation: f64,
+    pub(crate) begun: Begun,
 }
+
+/// A start's way to a machine that can be assembled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Begun {
+    Drawn,
+    Mended,
+    Redrawn,
+}
+
+/// The most draws of one start.
+const TRIES: usize = 100;
 
 /// The choice and the number of starts.
 pub(crate) struct Plan<const N: usize> {
@@ -41,7 +54,14 @@ impl<const N: usize> Plan<N> {
         if draw == 0 {
             return problem.unit(problem.declared);
         }
-        let mut random = Random::of(self.seed, draw);
+        self.random(problem, &mut Random::of(self.seed, draw))
+    }
+
+    fn random<'a, M: 'a, F>(
+        &self,
+        problem: &Problem<'a, M, F, N>,
+        random: &mut Random,
+    ) -> [f64; N] {
         let ranges = self.drawn.unwrap_or(problem.ranges);
         problem.unit(ranges.map(|[from, to]| from + (to - from) * random.uniform()))
     }
@@ -77,19 +97,22 @@ impl<const N: usize> Plan<N> {
                 }
             },
         );
-        let (mut seen, mut failures) = (Vec::new(), Vec::new());
+        let (mut seen, mut refused, mut failures) = (Vec::new(), Vec::new(), Vec::new());
         for (draw, looked) in looked.into_iter().enumerate() {
             match looked {
                 Some(Ok((cost, shortage))) => seen.push((draw, cost, shortage)),
-                Some(Err(failure)) => failures.push(failure),
+                Some(Err(failure)) => {
+                    refused.push(draw);
+                    failures.push(failure);
+                }
                 None => {}
             }
         }
         judge(problem, &failures)?;
-        if seen.is_empty() {
-            return Err(nearest(problem, &failures));
-        }
-        let best = best_of(seen, self.starts);
+        let mut best = best_of(seen, self.starts);
+        // Where these are too few, some that were refused are mended or drawn again.
+        let rest = refused.into_iter().take(self.starts - best.len());
+        best.extend(rest);
         Ok(best.into_iter().map(|draw| (draw, self.drawn(problem, draw))).collect())
     }
 }
@@ -108,20 +131,21 @@ fn best_of(mut seen: Vec<(usize, f64, f64)>, count: usize) -> Vec<usize> {
     seen.into_iter().take(count).map(|seen| seen.0).collect()
 }
 
-/// The ends of the searches from all starts, or why one could not begin.
-pub(crate) fn ended<'a, M: 'a, F, const N: usize>(
-    problem: &Problem<'a, M, F, N>,
-    kernel: &dyn Kernel,
-    starts: &[Start<N>],
-    threads: usize,
-    told: Watch<'_>,
-) -> Vec<Option<Result<Attempt<N>, Failure>>> {
-    let (mut count, mut best, of) = (0, None, starts.len());
-    each(
-        of,
-        threads,
-        |index| attempt(problem, kernel, starts[index]),
-        |_, ended| {
+/// All that a search begins with.
+pub(crate) struct Begin<'b, 'a, M, F, const N: usize> {
+    pub(crate) plan: &'b Plan<N>,
+    pub(crate) problem: &'b Problem<'a, M, F, N>,
+    pub(crate) kernel: &'b dyn Kernel,
+}
+
+/// The end of a search, or why it could not begin.
+pub(crate) type Ended<const N: usize> = Result<Attempt<N>, Failure>;
+
+impl<'a, M: 'a, F, const N: usize> Begin<'_, 'a, M, F, N> {
+    /// The ends of the searches from all starts.
+    pub(crate) fn ended(&self, starts: &[Start<N>], told: Watch<'_>) -> Vec<Option<Ended<N>>> {
+        let (mut count, mut best, of) = (0, None, starts.len());
+        let watched = |_, ended: &Ended<N>| {
             count += 1;
             if let Ok(Attempt { cost, violation, .. }) = ended
                 && *violation <= ACTIVE
@@ -131,21 +155,61 @@ pub(crate) fn ended<'a, M: 'a, F, const N: usize>(
             }
             let progress = Progress { stage: Stage::Starts, done: count, of, best };
             if is_fault(ended) { ControlFlow::Break(()) } else { told(progress) }
-        },
-    )
+        };
+        each(of, self.plan.threads, |index| self.attempt(starts[index]), watched)
+    }
+
+    /// One search.
+    fn attempt(&self, (draw, start): Start<N>) -> Ended<N> {
+        let (start, begun) = self.assembled(draw, start)?;
+        let end = self.kernel.search(self.problem, &start);
+        let x: [f64; N] = core::array::from_fn(|i| end[i]);
+        let at = self.problem.evaluated(&x, true)?;
+        Ok(Attempt { draw, x, cost: at.cost(), violation: at.violation(), begun })
+    }
+
+    /// A start that can be assembled: itself, mended, or drawn again.
+    fn assembled(&self, draw: usize, start: [f64; N]) -> Result<([f64; N], Begun), Failure> {
+        let Err(refusal) = self.problem.evaluated(&start, true) else {
+            return Ok((start, Begun::Drawn));
+        };
+        if refusal.cause == Cause::NotANumber {
+            return Err(refusal);
+        }
+        let mut random = Random::of(!self.plan.seed, draw);
+        let mends = |start| {
+            let is_asked = !self.problem.reaches.is_empty();
+            let mended = is_asked.then(|| mended(self.problem, self.kernel, start));
+            mended.filter(|mended| self.problem.evaluated(mended, true).is_ok())
+        };
+        if let Some(mended) = mends(start) {
+            return Ok((mended, Begun::Mended));
+        }
+        for _ in 0..TRIES {
+            let again = self.plan.random(self.problem, &mut random);
+            if self.problem.evaluated(&again, true).is_ok() {
+                return Ok((again, Begun::Redrawn));
+            }
+            if let Some(mended) = mends(again) {
+                return Ok((mended, Begun::Redrawn));
+            }
+        }
+        Err(refusal)
+    }
 }
 
-/// One search.
-fn attempt<'a, M: 'a, F, const N: usize>(
-    problem: &Problem<'a, M, F, N>,
-    kernel: &dyn Kernel,
-    (draw, start): Start<N>,
-) -> Result<Attempt<N>, Failure> {
-    problem.evaluated(&start, true)?;
-    let end = kernel.search(problem, &start);
-    let x: [f64; N] = core::array::from_fn(|i| end[i]);
-    let at = problem.evaluated(&x, true)?;
-    Ok(Attempt { draw, x, cost: at.cost(), violation: at.violation() })
+/// The ends and the failures.
+pub(crate) fn parted<const N: usize>(
+    ended: Vec<Option<Ended<N>>>,
+) -> (Vec<Attempt<N>>, Vec<Failure>) {
+    let (mut attempts, mut failures) = (Vec::new(), Vec::new());
+    for end in ended.into_iter().flatten() {
+        match end {
+            Ok(attempt) => attempts.push(attempt),
+            Err(failure) => failures.push(failure),
+        }
+    }
+    (attempts, failures)
 }
 
 /// True for a number that is none: a fault of the question, which ends a search.
