@@ -9,6 +9,7 @@
 use std::f64::consts::PI;
 
 use super::fit::{DeadEnds, Following, Terms};
+use super::near_dead;
 use super::plane::root;
 use super::trace::Sample;
 
@@ -25,6 +26,18 @@ pub(super) struct Curve {
     turns: Option<i32>,
     is_angle: bool,
     dead: [Option<DeadPoint>; 2],
+    /// The places next to dead points, with their distances from these.
+    near: Vec<[f64; 2]>,
+}
+
+/// The terms of a fit beside those of a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Beside {
+    Nothing,
+    /// Square roots towards dead points at the ends.
+    DeadEnds,
+    /// Bends next to dead points as well.
+    NearDead,
 }
 
 /// A dead point beside an end of the stretch, and the factor c of the root.
@@ -64,7 +77,8 @@ impl Curve {
             None => [[a, b, c], [x, y, z]].map(DeadPoint::beside),
             Some(_) => [None; 2],
         };
-        Some(Self { points, turns, is_angle, dead })
+        let near = if is_angle { near_dead::places(poses, turns.is_some()) } else { Vec::new() };
+        Some(Self { points, turns, is_angle, dead, near })
     }
 
     /// The largest distance of a fit from the points.
@@ -72,12 +86,15 @@ impl Curve {
         self.points.iter().map(|[at, value]| (fit.at(*at) - value).abs()).fold(0.0, f64::max)
     }
 
-    /// The fit of a degree, with square roots towards dead points if there are any: `None` if such are
-    /// wanted and there are none.
-    pub(super) fn fitted(&self, (degree, has_roots): (usize, bool)) -> Option<Following> {
-        if has_roots && self.dead.iter().all(Option::is_none) {
-            return None;
-        }
+    /// The fit of a degree with these terms beside: `None` where there is no place for them.
+    pub(super) fn fitted(&self, (degree, beside): (usize, Beside)) -> Option<Following> {
+        let has_dead_ends = self.dead.iter().any(Option::is_some);
+        let has_roots = match beside {
+            Beside::Nothing => false,
+            Beside::DeadEnds if !has_dead_ends => return None,
+            Beside::NearDead if self.near.is_empty() => return None,
+            Beside::DeadEnds | Beside::NearDead => has_dead_ends,
+        };
         let ends = [self.points[0][0], self.points[self.points.len() - 1][0]];
         let beyond = BEYOND * (ends[1] - ends[0]);
         let edge = |i: usize, outside: f64| match self.dead[i] {
@@ -103,9 +120,18 @@ impl Curve {
             let x = at - middle;
             [x, value - dead_ends.map_or(0.0, |ends| ends.at(terms.end(x)))]
         });
-        let smooth: Vec<_> = smooth.collect();
+        let mut smooth: Vec<_> = smooth.collect();
+        let mut near = Vec::new();
+        if beside == Beside::NearDead {
+            let places: Vec<_> =
+                self.near.iter().map(|[at, width]| [at - middle, *width]).collect();
+            near = near_dead::fitted(&smooth, &places, |x| sums(&terms, x, degree));
+            for [x, value] in &mut smooth {
+                *value -= near.iter().map(|near| near.at(*x)).sum::<f64>();
+            }
+        }
         terms = fitted(&terms, |x| between(&smooth, x), half, degree);
-        Some(Following { middle, terms, ends: dead_ends })
+        Some(Following { middle, terms, ends: dead_ends, near })
     }
 
     /// The roots whose factors at both edges are those of the dead points.
@@ -120,6 +146,16 @@ impl Curve {
             self.dead.map(|dead| dead.map_or(0.0, |dead| dead.factor) / root(fall));
         DeadEnds { mean: (ahead + behind) / 2.0, skew: (ahead - behind) / (2.0 * odd) }
     }
+}
+
+/// The functions whose sum a fit of an angle is, at a distance from the middle.
+fn sums(terms: &Terms, x: f64, degree: usize) -> Vec<f64> {
+    let Terms::Turning { center, reach, turns, .. } = *terms else { return Vec::new() };
+    let angle = ((x.cos() - center) / reach).clamp(-1.0, 1.0).acos();
+    let even = (0..=degree.div_ceil(2)).map(|k| (k as f64 * angle).cos());
+    let odd = (0..=(degree - 1) / 2).map(|k| x.sin() * (k as f64 * angle).cos());
+    let turning = (turns != 0).then_some(x);
+    even.chain(odd).chain(turning).collect()
 }
 
 /// The terms that fit a smooth function of the distance from the middle.
@@ -244,8 +280,8 @@ mod tests {
             });
             let points = (0..=60).map(|i| 0.97 * half * (f64::from(i) / 30.0 - 1.0));
             let points: Vec<_> = points.map(|x| [middle + x, curve(x)]).collect();
-            let curve = Curve { points, turns: None, is_angle, dead };
-            let fit = curve.fitted((3, true)).expect("it has dead points");
+            let curve = Curve { points, turns: None, is_angle, dead, near: Vec::new() };
+            let fit = curve.fitted((3, Beside::DeadEnds)).expect("it has dead points");
             let ends = fit.ends.expect("they are asked for");
             let off = [ends.mean - mean, ends.skew - skew, curve.off(&fit)].map(f64::abs);
             // A polynomial of the third degree, or two lines in the cosine, holds S as it is. The last nodes lie a step h of

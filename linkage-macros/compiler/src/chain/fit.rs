@@ -13,6 +13,8 @@ pub(crate) struct Following {
     pub middle: f64,
     pub terms: Terms,
     pub ends: Option<DeadEnds>,
+    /// The poses next to dead points, of an angle alone.
+    pub near: Vec<NearDead>,
 }
 
 /// The square roots towards dead points at the ends of the stretch, where the unknown turns back:
@@ -22,6 +24,16 @@ pub(crate) struct Following {
 pub(crate) struct DeadEnds {
     pub mean: f64,
     pub skew: f64,
+}
+
+/// The bend of an angle next to a dead point: √(2 − 2 cos x + width²) (even + odd sin x), with x from there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NearDead {
+    /// The place, from the middle of the stretch.
+    pub at: f64,
+    pub width: f64,
+    pub even: f64,
+    pub odd: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -42,7 +54,8 @@ impl Following {
             }
             Terms::Sliding { reach, powers } => polynomial(powers, x / reach),
         };
-        smooth + self.ends.map_or(0.0, |ends| ends.at(self.terms.end(x)))
+        let near: f64 = self.near.iter().map(|near| near.at(x)).sum();
+        smooth + self.ends.map_or(0.0, |ends| ends.at(self.terms.end(x))) + near
     }
 
     /// The coefficients as multiples of a unit.
@@ -63,6 +76,13 @@ impl Following {
 impl DeadEnds {
     pub(super) fn at(&self, [z, y]: [f64; 2]) -> f64 {
         root(z.max(0.0)) * (self.mean + self.skew * y)
+    }
+}
+
+impl NearDead {
+    pub(super) fn at(&self, x: f64) -> f64 {
+        let (sin, cos) = (x - self.at).sin_cos();
+        root(2.0 - 2.0 * cos + self.width * self.width) * (self.even + self.odd * sin)
     }
 }
 

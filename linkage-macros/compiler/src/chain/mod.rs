@@ -5,7 +5,8 @@
 //! every constraint is held by a body or a pin that it leaves one freedom less, and bodies that
 //! hold each other's constraints in a circle are one group. [`cutting`] makes drivers and dyads of
 //! them. A group of class III is solved by one unknown: [`options`] lists what can be left out and what
-//! be driven, [`trace`] follows the machine, [`following`] fits intervals to it, and [`choice`] chooses. [`pose`]
+//! be driven, [`trace`] follows the machine, [`following`] fits intervals to it, bent where [`near_dead`] finds dead points
+//! beside it, and [`choice`] chooses. [`pose`]
 //! computes poses, [`redrawn`] one with other lengths, and [`limits`] says how far each group is from its limit.
 //!
 //! Only numbers in `f64` and indices stand here: no names, no tokens, no exact constants and no
@@ -20,6 +21,7 @@ pub(crate) mod fit;
 mod following;
 pub(crate) mod limits;
 pub(crate) mod machine;
+mod near_dead;
 pub(crate) mod options;
 pub(crate) mod plane;
 pub(crate) mod pose;

@@ -12,10 +12,21 @@ const POSES: usize = 60;
 const FEWEST: usize = 40;
 /// The count of times that the step is halved in front of an end.
 const HALVINGS: usize = 10;
+/// The most poses each way, with steps that were halved beside places where the unknown changes fast.
+const MOST: usize = 2 * POSES;
+/// The part of a step over which a rate is measured. Roots are found to 1e-11, and a step is some hundredths.
+const BEHIND: f64 = 2e-5;
+/// The part of the difference of two rates, and of the unknown's unit, by which its change may be off them.
+const APART: f64 = 0.25;
+const OFF: f64 = 0.02;
 /// The widths about a root, as parts of the unknown's unit, that are tried as its room.
 const ROOMS: [f64; 7] = [0.3, 0.1, 0.03, 0.01, 0.004, 0.002, LEAST_ROOM];
 /// The least of them.
 pub(super) const LEAST_ROOM: f64 = 1e-3;
+/// The greatest width about a root, as a part of the unknown's unit, on which it is asked to be alone.
+const MOST_ALONE: f64 = 0.3;
+/// The ratio of a width to the one before it.
+const WIDER: f64 = 1.15;
 
 /// A pose along the motion: the drive or the input, the unknown, and the bodies before the group.
 pub(super) struct Sample<'m> {
@@ -23,7 +34,22 @@ pub(super) struct Sample<'m> {
     pub unknown: f64,
     /// The slope of the equation over the unknown, zero at a dead point.
     pub slope: f64,
+    /// The rate of the unknown over the drive; none beside the end of what stands before the group.
+    rate: Option<f64>,
     before: Posed<'m>,
+}
+
+impl Sample<'_> {
+    /// True if a pose is one of the same motion: the unknown changes by no less than its lower rate says and by no more
+    /// than the higher, but for a part of their difference and of its unit. At a dead point in front the rate grows
+    /// without bound. A jump to another motion stays as large when the step is halved.
+    fn leads_to(&self, next: &Self, unit: f64) -> bool {
+        let (Some(from), Some(to)) = (self.rate, next.rate) else { return true };
+        let [from, to] = [from, to].map(|rate| rate * (next.drive - self.drive));
+        let change = next.unknown - self.unknown;
+        let beyond = (from.min(to) - change).max(change - from.max(to));
+        beyond < APART * (to - from).abs() + OFF * unit
+    }
 }
 
 /// The poses of a motion in the order of what drives it.
@@ -139,9 +165,11 @@ impl<'m> Trace<'m> {
         Self { machine, way, samples, drawn, closes: None }
     }
 
-    /// True if the motion goes on one way alone.
+    /// True if the motion goes on one way alone, but for a thousandth.
     pub(super) fn ends_at_the_drawing(&self) -> bool {
-        self.samples.len() > 1 && (self.drawn == 0 || self.drawn + 1 == self.samples.len())
+        let [first, .., last] = &self.samples[..] else { return false };
+        let [back, ahead] = [-first.drive, last.drive];
+        back.min(ahead) < 1e-3 * back.max(ahead)
     }
 
     /// The residual of the equation in a pose, over the unknown.
@@ -171,45 +199,75 @@ impl<'m> Trace<'m> {
         };
         ROOMS.map(|room| room * unit).into_iter().find(|room| has_trend(room)).unwrap_or(0.0)
     }
+
+    /// The width on both sides of a root on which everything assembles and no other root of the trend lies. The equation
+    /// may turn back there, and pass zero against the trend: the search tells such a root apart.
+    pub(super) fn width_alone(&self, search: &SearchedGroup, sample: &Sample<'m>) -> f64 {
+        let unit = search.unit(self.machine);
+        let mut residual = self.residuals(search, sample);
+        let mut reach = |side: f64, most: f64| {
+            let (mut alone, mut width, mut is_back) = (0.0, LEAST_ROOM * unit, false);
+            while width <= most {
+                let Some(now) = residual(sample.unknown + side * width) else { break };
+                let has_its_sign = (now > 0.0) == ((side > 0.0) == search.rises);
+                if is_back && has_its_sign {
+                    break;
+                }
+                is_back |= !has_its_sign;
+                (alone, width) = (width, width * WIDER);
+            }
+            alone
+        };
+        let below = reach(-1.0, MOST_ALONE * unit);
+        reach(1.0, below)
+    }
 }
 
 /// The turns of the unknown between two poses a turn apart, if they are one pose: of each the drive and the unknown.
 pub(super) fn closing(search: &SearchedGroup, first: [f64; 2], last: [f64; 2]) -> Option<i32> {
     const TURN: f64 = std::f64::consts::TAU;
     // Roots are found to 1e-11.
-    const OFF: f64 = 1e-8;
+    const CLOSED: f64 = 1e-8;
     let [driven, change] = [0, 1].map(|i| last[i] - first[i]);
     let turns = match search.steps[0] {
         Found::Slider { .. } => 0.0,
         _ => (change / TURN).round(),
     };
-    let is_turn = (driven - TURN).abs() < OFF;
-    (is_turn && (change - TURN * turns).abs() < OFF).then_some(turns as i32)
+    let is_turn = (driven - TURN).abs() < CLOSED;
+    (is_turn && (change - TURN * turns).abs() < CLOSED).then_some(turns as i32)
 }
 
-/// The poses from the drawing on, with the step halved where it leads beyond the end.
+/// The poses from the drawing on, with the step halved where it leads beyond the end or to another motion, and doubled
+/// again behind that.
 fn followed<'m>(
     machine: &'m Machine,
     before: &[Found],
     search: &SearchedGroup,
     (way, step): (&Way, f64),
 ) -> Vec<Sample<'m>> {
-    let mut samples: Vec<Sample<'m>> = Vec::new();
     let mut given = drawn(machine);
-    let (mut part, mut done, mut index) = (1.0, 0.0, 0);
-    let last = if way.rests() { 0 } else { POSES };
-    while index <= last {
-        let drive = if samples.is_empty() { 0.0 } else { step * (done + part) };
-        way.give(&mut given, drive);
-        let unknown = samples.last().map_or(0.0, |sample| sample.unknown);
-        match next(machine, before, search, (drive, unknown), &mut given) {
+    let Some(drawing) = next(machine, before, search, (way, step), (0.0, 0.0), &mut given) else {
+        return Vec::new();
+    };
+    let mut samples = vec![drawing];
+    // All steps and the next one, as parts of a full one: halves of halves, without rounding.
+    let (mut done, mut part) = (0.0, 1.0);
+    let last = if way.rests() { 0.0 } else { POSES as f64 };
+    while done < last && samples.len() <= MOST {
+        let from = &samples[samples.len() - 1];
+        let start = given.unknowns.clone();
+        let at = (step * (done + part), from.unknown);
+        let found = next(machine, before, search, (way, step), at, &mut given);
+        match found.filter(|sample| from.leads_to(sample, search.unit(machine))) {
             Some(sample) => {
-                done = drive / step;
                 samples.push(sample);
-                index += 1;
+                done += part;
+                if part < 1.0 && (done / (2.0 * part)).fract() == 0.0 {
+                    part *= 2.0;
+                }
             }
-            None if samples.is_empty() => break,
             None => {
+                given.unknowns = start;
                 part /= 2.0;
                 if part < 0.5_f64.powi(HALVINGS as i32) {
                     break;
@@ -225,15 +283,27 @@ fn next<'m>(
     machine: &'m Machine,
     before: &[Found],
     search: &SearchedGroup,
+    (way, step): (&Way, f64),
     (drive, unknown): (f64, f64),
     given: &mut PoseChanges,
 ) -> Option<Sample<'m>> {
+    way.give(given, drive);
     let mut posed = Posed::new(machine);
     posed.run(before, given, 0.0)?;
-    let before = posed.clone();
+    let placed = posed.clone();
     let root = posed.solve(search, given, unknown)?;
-    let slope = before.slope(search, given, root)?;
+    let slope = placed.slope(search, given, root)?;
     let is_near = (root - unknown).abs() < 0.4 * search.unit(machine);
     let is_kept = is_near && (slope > 0.0) == search.rises;
-    is_kept.then_some(Sample { drive, unknown: root, slope, before })
+    // On the side of the pose before, where everything assembles.
+    let behind = BEHIND * step;
+    let missed = || {
+        let unknowns = given.unknowns.clone();
+        let mut given = PoseChanges { unknowns, ..way.given(machine, drive - behind) };
+        let mut posed = Posed::new(machine);
+        posed.run(before, &mut given, 0.0)?;
+        posed.residual(search, &mut given, root)
+    };
+    let rate = missed().map(|missed| missed / (behind * slope));
+    is_kept.then_some(Sample { drive, unknown: root, slope, rate, before: placed })
 }

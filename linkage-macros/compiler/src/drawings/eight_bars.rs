@@ -12,12 +12,14 @@ use crate::chain::plane::Complex;
 use crate::chain::pose::RESIDUALS;
 
 /// The machine without its names. Body 0 is the ground.
-fn kinematic(driven: &Driven, places: &[[f64; 2]]) -> Machine {
-    let order: Vec<_> =
-        [driven.ground].into_iter().chain((0..8).filter(|&link| link != driven.ground)).collect();
+pub(super) fn kinematic(driven: &Driven, places: &[[f64; 2]]) -> Machine {
+    let links = driven.joints.iter().flatten().max().map_or(0, |last| last + 1);
+    let others = (0..links).filter(|&link| link != driven.ground);
+    let order: Vec<_> = [driven.ground].into_iter().chain(others).collect();
     let body = |link: usize| order.iter().position(|&other| other == link).expect("it is a link");
-    let pins =
-        |link: usize| (0..10).filter(|&joint| driven.joints[joint].contains(&link)).collect();
+    let pins = |link: usize| {
+        (0..places.len()).filter(|&joint| driven.joints[joint].contains(&link)).collect()
+    };
     let bodies = order.iter().map(|&link| RigidBody { pins: pins(link), ..RigidBody::default() });
     let [a, b] = driven.joints[driven.drive].map(body);
     let drive = Driving {
@@ -35,7 +37,7 @@ fn kinematic(driven: &Driven, places: &[[f64; 2]]) -> Machine {
 
 /// The class of a machine: the count of parts in its largest group that is no dyad, two else, and
 /// whether one unknown solves all of its groups.
-fn class(machine: &Machine) -> (usize, bool) {
+pub(super) fn class(machine: &Machine) -> (usize, bool) {
     assert_eq!(count::troubles(machine), []);
     let mut known = Placed::at_first(machine);
     let (mut largest, mut is_solved) = (2, true);

@@ -14,6 +14,7 @@ mod eight_bars;
 mod files;
 mod following;
 mod found_groups;
+mod full_turns;
 mod guides_through_pins;
 mod held_plates;
 mod hidden_names;

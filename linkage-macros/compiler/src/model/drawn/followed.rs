@@ -3,7 +3,7 @@
 
 use proc_macro2::{Ident, Span};
 
-use crate::chain::fit::{DeadEnds, Following, Terms};
+use crate::chain::fit::{DeadEnds, Following, NearDead, Terms};
 use crate::syntax::tree::{BinaryOp, Expr, ExprKind, LetStatement, StatementKind};
 
 use crate::model::drawn::figures::{Figure, Pen, root_of, sum};
@@ -71,6 +71,8 @@ impl Fitted<'_> {
                 let fit = sum(writing.polynomial(&even, &names.argument), odd);
                 let falling = sum(writing.number(1.0), writing.name(&names.argument));
                 let fit = writing.with_ends(fit, following.ends, falling, &names.sine);
+                let bends = following.near.iter().map(|near| writing.bend(near, middle, shifted));
+                let fit = bends.fold(fit, sum);
                 let fit = writing.product(unit, fit);
                 match *turns {
                     0 => fit,
@@ -149,6 +151,15 @@ impl Writing {
         let size = root_of(self.product(falling.clone(), falling.clone()), self.0);
         let falling = self.times(sum(falling, size), 0.5);
         sum(fit, self.product(root_of(falling, self.0), factor))
+    }
+
+    /// The bend next to a dead point, where `shifted` is a sum of the cosine and the sine of the drive.
+    fn bend(&self, near: &NearDead, middle: f64, shifted: impl Fn([f64; 2]) -> Expr) -> Expr {
+        let (sin, cos) = (middle + near.at).sin_cos();
+        let square = self.number(2.0 + near.width * near.width);
+        let bend = root_of(sum(square, shifted([-2.0 * cos, -2.0 * sin])), self.0);
+        let factor = sum(self.number(near.even), shifted([-near.odd * sin, near.odd * cos]));
+        self.product(bend, factor)
     }
 
     /// A polynomial by Horner's rule.
