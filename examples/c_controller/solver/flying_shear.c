@@ -1,9 +1,17 @@
-/* flying_shear.c: the solver of FlyingShear, printed by linkage from its declaration; do not edit.
+/* flying_shear.c: the solver of FlyingShear, printed by linkage 0.1.0 from its declaration; do not edit.
  *
  * This text is yours: use, change and pass it on under any terms, with or without this notice. It comes
  * without any warranty. */
 #include "flying_shear.h"
 #include "linkage_run.h"
+
+#if LINKAGE_RUN_TIME != 0xb63ee243u
+#error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
+#endif
+
+const char flying_shear_origin[] = "linkage 0.1.0 FlyingShear 736bff468ce27e07";
+const char *const flying_shear_input_labels[FLYING_SHEAR_INPUTS + 1] = { "theta", NULL };
+const char *const flying_shear_output_labels[FLYING_SHEAR_OUTPUTS + 1] = { "blade.x", "blade.y", NULL };
 
 #ifndef LINKAGE_NO_SINGLE
 

@@ -176,6 +176,32 @@ LinkageStatus flying_shear_motion_f32(float theta, float theta_rate, float theta
 /* Positions, velocities and accelerations of the outputs. */
 LinkageStatus flying_shear_motion_at_f32(float cos, float sin, float theta_rate, float theta_acceleration, FlyingShearMotionF32 *motion, LinkageError *error);
 
+#ifndef LINKAGE_VERSION
+#define LINKAGE_VERSION "0.1.0"
+#endif
+/* A hash of the declaration's words: layout and comments change nothing. */
+#define FLYING_SHEAR_DECLARATION "736bff468ce27e07"
+
+/* The program, its version, the mechanism and the hash, for whoever looks into an object. */
+extern const char flying_shear_origin[];
+
+/* The names of the inputs and of the outputs' rows, in their order; the last text is null. */
+extern const char *const flying_shear_input_labels[FLYING_SHEAR_INPUTS + 1];
+extern const char *const flying_shear_output_labels[FLYING_SHEAR_OUTPUTS + 1];
+
+#ifndef LINKAGE_WORDS
+#define LINKAGE_WORDS
+
+/* A status in words, also of a number that is none. */
+const char *linkage_status_text(LinkageStatus status);
+
+/* The angle of a direction nearest `previous` among all that are turns apart, in rad: fed back, it follows a link as
+ * long as it turns less than half a turn between two calls. */
+double linkage_angle_near(double cosine, double sine, double previous);
+float linkage_angle_near_f32(float cosine, float sine, float previous);
+
+#endif /* LINKAGE_WORDS */
+
 #ifdef __cplusplus
 }
 #endif

@@ -2,6 +2,10 @@
  * without rounding, and reasons. linkage_run.h says whose text this is. */
 #include "linkage_run.h"
 
+#if LINKAGE_RUN_TIME != 0xb63ee243u
+#error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
+#endif
+
 /* The error of a value in units of its spread's last place: larger values are positive for certain. */
 #define ROUNDINGS 16.0
 
@@ -670,6 +674,50 @@ float linkage_hypotf(float x, float y)
     longer /= factor;
     shorter /= factor;
     return factor * sqrtf((float)((double)longer * (double)longer + (double)shorter * (double)shorter));
+}
+#endif /* LINKAGE_NO_SINGLE */
+
+/* Words and angles for callers. */
+
+const char *linkage_status_text(LinkageStatus status)
+{
+    switch (status) {
+    case LINKAGE_OK: return "there is an answer";
+    case LINKAGE_OUT_OF_REACH: return "out of reach: the group cannot be assembled";
+    case LINKAGE_SINGULAR: return "singular: what was asked for is undefined in this pose of the group";
+    case LINKAGE_INVALID_LENGTH: return "invalid length: it is zero or negative";
+    case LINKAGE_NOT_FINITE: return "not finite: an input, a parameter or a result";
+    case LINKAGE_NULL_POINTER: return "null pointer";
+    case LINKAGE_INVALID_MODE: return "invalid mode: the parameter is none of its modes";
+    case LINKAGE_OFF_CIRCLE: return "off the circle: cosine and sine of no angle";
+    case LINKAGE_NO_SOLUTION: return "no solution of the mode between the ends of the unknown";
+    case LINKAGE_SEVERAL_DEAD_POINTS: return "several dead points between the ends of the unknown: narrow the interval";
+    case LINKAGE_JAMS: return "jams: friction may hold itself at the joint";
+    default: return "no status of linkage";
+    }
+}
+
+/* The turns between two angles: to the nearest integer, ties to even. From 2^51 on the fraction's bits are beyond what
+ * an angle can tell. */
+static double turns_between(double angle, double previous)
+{
+    const double turns = (previous - angle) / 6.283185307179586;
+    return fabs(turns) < 2251799813685248.0 ? (turns + 6755399441055744.0) - 6755399441055744.0 : turns;
+}
+
+#ifndef LINKAGE_NO_DOUBLE
+double linkage_angle_near(double cosine, double sine, double previous)
+{
+    const double angle = linkage_atan2(sine, cosine);
+    return angle + turns_between(angle, previous) * 6.283185307179586;
+}
+#endif /* LINKAGE_NO_DOUBLE */
+
+#ifndef LINKAGE_NO_SINGLE
+float linkage_angle_near_f32(float cosine, float sine, float previous)
+{
+    const float angle = linkage_atan2f(sine, cosine);
+    return angle + (float)(turns_between((double)angle, (double)previous) * 6.283185307179586);
 }
 #endif /* LINKAGE_NO_SINGLE */
 /* Angles beyond the kernels' range. */

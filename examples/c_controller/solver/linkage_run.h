@@ -9,6 +9,9 @@
 #ifndef LINKAGE_RUN_H
 #define LINKAGE_RUN_H
 
+/* A hash of the whole run-time: sources that were printed with another one do not compile with it. */
+#define LINKAGE_RUN_TIME 0xb63ee243u
+
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
@@ -182,6 +185,19 @@ typedef struct LinkageSlidingAccelerationF32 {
 #define LINKAGE_NO_SOLUTION 8
 #define LINKAGE_SEVERAL_DEAD_POINTS 9
 #define LINKAGE_JAMS 10
+
+#ifndef LINKAGE_WORDS
+#define LINKAGE_WORDS
+
+/* A status in words, also of a number that is none. */
+const char *linkage_status_text(LinkageStatus status);
+
+/* The angle of a direction nearest `previous` among all that are turns apart, in rad: fed back, it follows a link as
+ * long as it turns less than half a turn between two calls. */
+double linkage_angle_near(double cosine, double sine, double previous);
+float linkage_angle_near_f32(float cosine, float sine, float previous);
+
+#endif /* LINKAGE_WORDS */
 
 /* In double precision. */
 

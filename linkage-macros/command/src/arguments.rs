@@ -116,6 +116,11 @@ pub(crate) enum Command {
     ///
     ///     linkage export c shear.rs -o control/
     ///     linkage export c shear.rs -o control/ --only motion_at,f32
+    ///     linkage export c arm.rs -o acme/ --prefix acme
+    ///
+    /// With a prefix the solvers of two suppliers, of one name and from two versions, stand in one program. A folder with
+    /// sources of another version is left alone, since its run-time would be overwritten. Names of inputs and outputs, the
+    /// version and a hash of the declaration stand in the header and in the object.
     ///
     /// The sources are C99 and C++17, call nothing but <math.h>, and allocate nothing. Do not compile them with
     /// -ffast-math; a compiler other than gcc, clang and MSVC has to be told not to contract products into sums.
@@ -281,6 +286,9 @@ pub(crate) struct Export {
     /// For c: entry points and widths to print, such as motion_at,f32; all of them without this
     #[arg(long, value_name = "ENTRY,WIDTH,…", value_delimiter = ',')]
     pub only: Vec<String>,
+    /// For c: a word in front of the names of functions, types and files, the run-time's too: `acme` for `acme_arm_motion`
+    #[arg(long, value_name = "WORD")]
+    pub prefix: Option<String>,
     /// For fmu: take inputs and their rates as given, whatever has mass
     #[arg(long)]
     pub kinematic: bool,

@@ -1,5 +1,6 @@
 //! The verb `export`: solvers in other languages and formats.
 
+use std::fs;
 use std::path::Path;
 
 use linkage_compiler::{File, Options, compile};
@@ -12,8 +13,9 @@ use crate::program::Program;
 
 pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     // The flags that some formats alone have.
-    let flags: [(&str, bool, &[Format]); 2] = [
+    let flags: [(&str, bool, &[Format]); 3] = [
         ("--only", !arguments.only.is_empty(), &[Format::C]),
+        ("--prefix", arguments.prefix.is_some(), &[Format::C]),
         ("--kinematic", arguments.kinematic, &[Format::Fmu]),
     ];
     let own = |formats: &[Format]| formats.contains(&arguments.format);
@@ -36,11 +38,51 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
 /// Writes the C of all declarations into a folder, or of none.
 fn c(arguments: &Export, program: &Program) -> Result<(), Failure> {
     let only: Vec<&str> = arguments.only.iter().map(String::as_str).collect();
-    let printed = program.all(|declaration| linkage_compiler::c(declaration, &only))?;
+    let prefix = arguments.prefix.as_deref();
+    let printed = program.all(|declaration| linkage_compiler::c(declaration, &only, prefix))?;
     let beside = || arguments.file.parent().unwrap_or(Path::new("")).to_path_buf();
     let folder = arguments.target.output.clone().unwrap_or_else(beside);
-    let files = printed.into_iter().flatten().map(|file| (file.name, file.text));
+    let files: Vec<File> = printed.into_iter().flatten().collect();
+    if !arguments.target.stale {
+        leaves_others_alone(&folder, &files)?;
+    }
+    let files = files.into_iter().map(|file| (file.name, file.text));
     output::files(&folder, files, arguments.target.stale)
+}
+
+/// The beginning of the line by which a source asks for the run-time that it was printed with.
+const RUN_TIME: &str = "#if LINKAGE_RUN_TIME != ";
+
+/// Refuses a folder in which another source was printed with another run-time, which would be overwritten.
+fn leaves_others_alone(folder: &Path, files: &[File]) -> Result<(), Failure> {
+    let run_time = |text: &str| {
+        let mut lines = text.lines();
+        let name =
+            lines.find(|line| line.starts_with("#include \"") && line.contains("linkage_run.h"));
+        let hash = lines.find_map(|line| line.strip_prefix(RUN_TIME));
+        name.zip(hash).map(|(name, hash)| (name.to_string(), hash.to_string()))
+    };
+    let own = files.iter().find_map(|file| run_time(&file.text));
+    let Some((own, hash)) = own else { return Ok(()) };
+    let Ok(entries) = fs::read_dir(folder) else { return Ok(()) };
+    for path in entries.flatten().map(|entry| entry.path()) {
+        let is_written =
+            files.iter().any(|file| path.file_name().is_some_and(|name| *name == *file.name));
+        let is_source = path.extension().is_some_and(|ending| ending == "c");
+        let Some(text) =
+            (is_source && !is_written).then(|| fs::read_to_string(&path).ok()).flatten()
+        else {
+            continue;
+        };
+        if run_time(&text).is_some_and(|(name, other)| name == own && other != hash) {
+            return Err(Failure::Unusable(format!(
+                "`{}` was printed by another version, whose run-time would be overwritten: remove it, to print it anew, or give \
+                 another folder by `-o` or names of your own by `--prefix`",
+                path.display()
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Writes the FMU of the only mechanism of a file, or of the chosen one.

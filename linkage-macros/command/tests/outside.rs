@@ -100,8 +100,8 @@ fn examples_of_the_documentation_hold() {
     assert!(found[0].to_string().starts_with("struct Arm"));
 
     let source = "pub struct Crank { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 2, angle: t } }";
-    let files =
-        linkage_compiler::c(source.parse().expect("tokens"), &["position"]).expect("no mistake");
+    let files = linkage_compiler::c(source.parse().expect("tokens"), &["position"], None)
+        .expect("no mistake");
     assert_eq!(files[1].name, "crank.c");
     assert!(files[1].text.contains("LinkageStatus crank_position("));
 }

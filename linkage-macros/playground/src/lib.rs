@@ -73,7 +73,7 @@ fn done(text: &str, task: u32) -> Vec<u8> {
     let declaration = declarations(tokens.clone()).into_iter().next().unwrap_or(tokens);
     let printed = match task {
         CHECK => return checked(text, declaration).to_string().into_bytes(),
-        C => linkage_compiler::c(declaration, &[]),
+        C => linkage_compiler::c(declaration, &[], None),
         FMU => linkage_compiler::fmu(declaration, false),
         _ => {
             let output = compile(declaration, &Options::default());

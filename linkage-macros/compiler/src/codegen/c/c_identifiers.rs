@@ -145,10 +145,11 @@ pub(in crate::codegen) fn arguments(
     distinct(solver, fixed.map(str::to_string).into_iter().chain(others.map(clear)))
 }
 
-/// The macros of a mechanism's header: two numbers, and what says that it was included.
-fn own_macros(solver: &str) -> [String; 3] {
-    let [inputs, outputs] = ["inputs", "outputs"].map(|of| format!("{}_{of}", snake_case(solver)));
-    [inputs, outputs, format!("{}_h", file_stem(solver))].map(|name| name.to_uppercase())
+/// The macros of a mechanism's header: two numbers, a hash, and what says that it was included.
+fn own_macros(solver: &str) -> [String; 4] {
+    let [inputs, outputs, hash] =
+        ["inputs", "outputs", "declaration"].map(|of| format!("{}_{of}", snake_case(solver)));
+    [inputs, outputs, hash, format!("{}_h", file_stem(solver))].map(|name| name.to_uppercase())
 }
 
 /// The name behind a letter if it could be one of the compiler's, which may have tails of their own.
@@ -207,6 +208,7 @@ mod tests {
             ("LinkagePoint", "LinkagePoint_"),
             ("PRESS_INPUTS", "PRESS_INPUTS_"),
             ("PRESS_H", "PRESS_H_"),
+            ("PRESS_DECLARATION", "PRESS_DECLARATION_"),
             ("LEVER_INPUTS", "LEVER_INPUTS"),
             // Macros that are called stand for themselves elsewhere, and so do functions.
             ("isnan", "isnan"),
@@ -221,13 +223,12 @@ mod tests {
 
     #[test]
     fn arguments_hide_no_function() {
-        let inputs =
-            ["press_velocity", "press_why_motion", "linkage_sin_cos", "press_angle", "error"];
+        let inputs = ["press_velocity", "press_origin", "linkage_sin_cos", "press_angle", "error"];
         let fixed = ["mechanism", "position", "error"];
         let names = arguments(&solver(), fixed, inputs.into_iter().map(str::to_string));
         assert_eq!(names[..3], fixed);
         let tailed =
-            ["press_velocity_", "press_why_motion_", "linkage_sin_cos_", "press_angle", "error_"];
+            ["press_velocity_", "press_origin_", "linkage_sin_cos_", "press_angle", "error_"];
         assert_eq!(names[3..], tailed);
     }
 

@@ -38,8 +38,12 @@ pub(in crate::codegen) const JAMS: &str = "\
 
 ";
 
-/// The whole header, for numbers of these widths.
-pub(in crate::codegen) fn text(signatures: &Signatures<'_>, widths: &[Width]) -> String {
+/// The whole header, for numbers of these widths, with what a library has beside its functions.
+pub(in crate::codegen) fn text(
+    signatures: &Signatures<'_>,
+    widths: &[Width],
+    beside: &str,
+) -> String {
     let Signatures { mechanism, interface, .. } = *signatures;
     let solver = plain(&mechanism.name);
     let [stem, guard] = [snake_case(&solver), file_stem(&solver)].map(|stem| stem.to_uppercase());
@@ -62,7 +66,7 @@ pub(in crate::codegen) fn text(signatures: &Signatures<'_>, widths: &[Width]) ->
     for &width in widths {
         header += &functions(signatures, width);
     }
-    header + &format!("\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard}_H */\n")
+    header + beside + &format!("\n#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {guard}_H */\n")
 }
 
 /// True if some function hands back forces.

@@ -10,6 +10,7 @@ mod entry;
 pub(crate) mod fmu;
 pub(in crate::codegen) mod header;
 mod in_c;
+pub(crate) mod provenance;
 mod public_function;
 mod reserved;
 mod roots;
@@ -19,6 +20,7 @@ mod two_paths;
 
 use self::c_identifiers::{Width, file_stem, snake_case};
 use self::in_c::rubs;
+use self::provenance::Provenance;
 use self::selection::Selection;
 use super::arguments::Signatures;
 use super::identifiers::text;
@@ -33,35 +35,33 @@ pub(crate) fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
     selection: &Selection,
+    provenance: &Provenance<'_>,
 ) -> Vec<(String, String)> {
     let signatures = Signatures::new(mechanism, &lowered.interface);
     let solver = text(&mechanism.name);
     let [stem, file] = [snake_case(&solver), file_stem(&solver)];
-    let mut source = format!(
-        "/* {file}.c: the solver of {solver}, printed by linkage from its declaration; do not edit.\n *\n\
-         \x20* This text is yours: use, change and pass it on under any terms, with or without this notice. It comes\n\
-         \x20* without any warranty. */\n\
-         #include \"{file}.h\"\n#include \"linkage_run.h\"\n"
-    );
+    let mut source = provenance.in_source();
     for &width in &selection.widths {
         let without = width.excluded();
         source += &format!("\n#ifndef {without}\n");
         In { mechanism, lowered, signatures: &signatures, width, stem: &stem }.all(&mut source);
         source += &format!("\n#endif /* {without} */\n");
     }
-    let mut files = vec![
-        (format!("{file}.h"), header::text(&signatures, &selection.widths)),
-        (format!("{file}.c"), source),
-        ("linkage_run.h".to_string(), run_time::header()),
-        ("linkage_run.c".to_string(), run_time::source().to_string()),
-    ];
+    let header = header::text(&signatures, &selection.widths, &provenance.in_header());
+    let mut run_time =
+        vec![("linkage_run.h", run_time::header()), ("linkage_run.c", run_time::source())];
     if !mechanism.unknowns.is_empty() {
-        files.push((ROOT.to_string(), run_time::root_source()));
+        run_time.push((ROOT, run_time::root_source()));
     }
     if rubs(lowered) {
-        files.push((FRICTION.to_string(), run_time::friction_source()));
+        run_time.push((FRICTION, run_time::friction_source()));
     }
-    files
+    let prefix = &provenance.prefix;
+    let own = [(format!("{file}.h"), header), (format!("{file}.c"), prefix.put_into(&source))];
+    let run_time = run_time.into_iter();
+    own.into_iter()
+        .chain(run_time.map(|(name, text)| (prefix.in_front_of(name), prefix.put_into(&text))))
+        .collect()
 }
 
 /// The part of the run-time that finds roots.

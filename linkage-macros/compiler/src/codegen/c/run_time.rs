@@ -3,12 +3,51 @@
 //! Text that is the same in both widths is written once, with words for the number and its constants, and
 //! printed for each. Answers are those of the run-time crate to the last bit; tests call both.
 
+use std::sync::LazyLock;
+
 use super::c_identifiers::Width;
 use super::header::SHARED;
 
+/// The word in place of which the hash of the run-time stands.
+const OWN_HASH: &str = "OWN_HASH";
+
+/// 32 bits of a hash of all its texts, by which a source knows the run-time that it was printed with.
+static HASH: LazyLock<String> = LazyLock::new(|| {
+    let all = [plain_header(), plain_source().to_string(), plain_root(), plain_friction()];
+    let hash = fnv(all.concat().bytes());
+    format!("0x{:08x}u", (hash >> 32) ^ (hash & 0xffff_ffff))
+});
+
+/// FNV-1a: G. Fowler, L. C. Noll and K.-P. Vo.
+pub(super) fn fnv(bytes: impl Iterator<Item = u8>) -> u64 {
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// The lines by which a source asks for this run-time and no other.
+pub(super) fn condition() -> String {
+    hashed(include_str!("run/condition.h"))
+}
+
+fn hashed(text: &str) -> String {
+    text.replace(OWN_HASH, &HASH)
+}
+
+/// A source behind its first lines, which include the header and ask for it.
+fn conditional(source: &str) -> String {
+    hashed(&source.replacen(INCLUDE, &format!("{INCLUDE}\n{}", include_str!("run/condition.h")), 1))
+}
+
+const INCLUDE: &str = "#include \"linkage_run.h\"\n";
+
 /// The text of `linkage_run.h`.
 pub(crate) fn header() -> String {
-    let mut header = format!("{}{SHARED}\n{CODES}", include_str!("run/head.h"));
+    hashed(&plain_header())
+}
+
+fn plain_header() -> String {
+    let mut header = format!("{}{SHARED}\n{CODES}\n{WORDS}", include_str!("run/head.h"));
     for (width, near) in [
         (Width::Double, include_str!("run/sin_cos_f64.h")),
         (Width::Single, include_str!("run/sin_cos_f32.h")),
@@ -24,11 +63,18 @@ pub(crate) fn header() -> String {
     header + foot + &roots + &friction + end
 }
 
+/// The functions of the run-time that callers call.
+pub(super) const WORDS: &str = include_str!("run/words.h");
+
 /// The line of the foot in place of which the functions stand that find roots.
 const ROOTS: &str = "/* Roots. */\n";
 
 /// The text of `linkage_root.c`, which is printed where something is searched.
 pub(crate) fn root_source() -> String {
+    conditional(&plain_root())
+}
+
+fn plain_root() -> String {
     let mut source = include_str!("run/root/head.c").to_string();
     for width in Width::ALL {
         let without = width.excluded();
@@ -49,6 +95,10 @@ pub(crate) fn root_source() -> String {
 /// The text of `linkage_friction.c`, which is printed where joints rub. What is found without a branch is found in
 /// either width, and anything else in double precision.
 pub(crate) fn friction_source() -> String {
+    conditional(&plain_friction())
+}
+
+fn plain_friction() -> String {
     let system = |width| of_width(include_str!("run/friction/system.c"), width);
     let stepped = |width| of_width(include_str!("run/friction/stepped.c"), width);
     let mut source = include_str!("run/friction/head.c").to_string();
@@ -64,11 +114,16 @@ pub(crate) fn friction_source() -> String {
 }
 
 /// The text of `linkage_run.c`.
-pub(crate) fn source() -> &'static str {
+pub(crate) fn source() -> String {
+    conditional(plain_source())
+}
+
+fn plain_source() -> &'static str {
     concat!(
         include_str!("run/conditions.c"),
         include_str!("run/exact.c"),
         include_str!("run/reach.c"),
+        include_str!("run/words.c"),
         include_str!("run/far.c"),
     )
 }

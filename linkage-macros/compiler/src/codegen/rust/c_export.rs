@@ -23,7 +23,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
         return TokenStream::new();
     }
     let name = &cx.names.solver;
-    let (header, parameters) = (header::text(&cx.signatures, &Width::ALL), parameters(cx));
+    let (header, parameters) = (header::text(&cx.signatures, &Width::ALL, ""), parameters(cx));
     let [float, string] = ["f64", "str"].map(|item| cx.paths.item(item));
     let (read, reply) = (read(cx.mechanism, &cx.paths), reply(&cx.paths));
     let entries = &cx.interface.entries;

@@ -8,6 +8,7 @@ use proc_macro2::TokenStream;
 use super::c_printed::{STRICT, compiled};
 use crate::codegen::c;
 use crate::codegen::c::c_identifiers::Width;
+use crate::codegen::c::provenance::{Prefix, Provenance};
 use crate::codegen::c::selection::Selection;
 use crate::diagnostics::Diagnostics;
 use crate::exact::AtomScope;
@@ -56,13 +57,15 @@ fn print_each(source: TokenStream, name: &str, root: &Path) -> Vec<String> {
         [one, other, vec![point]]
     });
     let mut sources = Vec::new();
+    let provenance =
+        Provenance { mechanism: &mechanism, declaration: 0, prefix: Prefix::default() };
     for only in selected {
         let selection = Selection::of(&mechanism, &program, &only, &mut diagnostics);
         let printed = selection.apply(program.clone());
         let lowered = lower::lower(&mechanism, &printed);
         let folder = format!("{name}_{}", only.join("_"));
         std::fs::create_dir_all(root.join(&folder)).expect("a folder can be made");
-        let files = c::generate(&mechanism, &lowered, &selection);
+        let files = c::generate(&mechanism, &lowered, &selection, &provenance);
         for (file, text) in &files {
             std::fs::write(root.join(&folder).join(file), text).expect("it can be written");
         }
@@ -94,7 +97,7 @@ fn each_is_c(name: &str, of: impl Iterator<Item = (String, TokenStream)>) -> usi
 
 #[test]
 fn every_function_asks_whether_a_mode_is_one() {
-    let files = pipeline::c(SAMPLE[2].parse().expect("these are tokens"), &[]);
+    let files = pipeline::c(SAMPLE[2].parse().expect("these are tokens"), &[], None);
     let text = &files.expect("there is no mistake")[1].text;
     let functions = text.matches("\nLinkageStatus two_").count();
     assert_eq!(text.matches("LINKAGE_INVALID_MODE, \"way\"").count(), functions);

@@ -42,7 +42,7 @@ fn print_every(nth: usize, root: &Path) -> Vec<String> {
     let mut sources = Vec::new();
     let mut refused = BTreeMap::new();
     for (nth, declaration) in declarations::all().enumerate().step_by(nth) {
-        let files = match pipeline::c(declaration.tokens.clone(), &[]) {
+        let files = match pipeline::c(declaration.tokens.clone(), &[], None) {
             Ok(files) => files,
             Err(mistakes) => {
                 refused.insert(declaration.name.clone(), mistakes[0].message.clone());

@@ -30,7 +30,7 @@ impl Program {
         let callers = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/codegen/tests/c");
         for (file, text) in [
             ("linkage_run.h", run_time::header()),
-            ("linkage_run.c", run_time::source().to_string()),
+            ("linkage_run.c", run_time::source()),
             (part, text),
             ("caller.c", std::fs::read_to_string(callers.join(caller)).expect("it can be read")),
         ] {

@@ -4,6 +4,7 @@
 //! on the last bit. Both widths; compiled as strict C99, as C++17, and for a machine with fused operations under
 //! a standard that lets the compiler contract products into sums unless it is told.
 
+mod angles;
 mod library_functions;
 
 use std::collections::BTreeSet;
@@ -347,6 +348,7 @@ fn conditions_agree(programs: &[Program], count: usize) {
 fn strict_c_agrees() {
     let programs = programs(&[("cc", "strict", &STRICT)]);
     all_agree::<Plain>(&programs, 8);
+    angles::agree(&programs, 20_000);
     library_functions::agree::<Plain>(&programs, 2_500);
 }
 

@@ -9,6 +9,9 @@
 #ifndef LINKAGE_RUN_H
 #define LINKAGE_RUN_H
 
+/* A hash of the whole run-time: sources that were printed with another one do not compile with it. */
+#define LINKAGE_RUN_TIME OWN_HASH
+
 #include <float.h>
 #include <math.h>
 #include <stddef.h>

@@ -16,6 +16,9 @@ typedef struct Answer {
     double y[2];
 } Answer;
 
+#define NEAR_ linkage_angle_near
+#define NEAR_f linkage_angle_near_f32
+
 #define OF_WIDTH(width, number)                                                                                     \
     static void number##s(const Call *call, Answer *to)                                                             \
     {                                                                                                               \
@@ -43,6 +46,7 @@ typedef struct Answer {
         case 15: y[0] = linkage_exp##width(x[0]); break;                                                            \
         case 16: y[0] = linkage_ln##width(x[0]); break;                                                             \
         case 17: y[0] = linkage_tanh##width(x[0]); break;                                                           \
+        case 19: y[0] = NEAR_##width(x[0], x[1], x[2]); break;                                                       \
         case 18: y[0] = linkage_pow##width(x[0], x[1]); break;                                                      \
         default: break;                                                                                             \
         }                                                                                                           \
