@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use syn::{Attribute, File, ImplItem, Item, Meta};
+use syn::{Attribute, File, ImplItem, Item, Meta, TraitItem};
 
 use super::imports::Imports;
 use super::lengths::long_functions;
@@ -108,6 +108,10 @@ fn keep_production(items: &mut Vec<Item>) {
             Item::Impl(block) => block.items.retain(|item| match item {
                 ImplItem::Fn(function) => !function.attrs.iter().any(is_for_tests),
                 ImplItem::Const(constant) => !constant.attrs.iter().any(is_for_tests),
+                _ => true,
+            }),
+            Item::Trait(block) => block.items.retain(|item| match item {
+                TraitItem::Fn(function) => !function.attrs.iter().any(is_for_tests),
                 _ => true,
             }),
             _ => {}

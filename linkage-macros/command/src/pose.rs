@@ -1,6 +1,6 @@
 //! The conditions of a pose that no generated code computes: those of the run-time's slow path, by their names.
 
-use linkage_compiler::{Condition, Conditions, Sought};
+use linkage_compiler::{Conditions, GuardedValue, SoughtRoot};
 use linkage_core::SolveError;
 use linkage_core::private::{
     Checks, FirstError, Moving, Nonzero, NotNegative, Positive, ReachCircles, ReachDistances,
@@ -26,8 +26,8 @@ impl PoseConditions {
 }
 
 impl Conditions for PoseConditions {
-    fn guard(&mut self, condition: &Condition<'_>) -> f64 {
-        let &Condition { kind, group, word, value, operands, .. } = condition;
+    fn guard(&mut self, condition: &GuardedValue<'_>) -> f64 {
+        let &GuardedValue { kind, group, word, value, operands, .. } = condition;
         let (first, group, word) = (&mut self.first, lasting(group), lasting(word));
         match kind {
             "ReachCircles" => first.guard(value, ReachCircles(array(operands), group)),
@@ -45,14 +45,18 @@ impl Conditions for PoseConditions {
         }
     }
 
-    fn closed(&mut self, condition: &Condition<'_>) {
-        let &Condition { group, word, value, operands: &[size], .. } = condition else {
+    fn closed(&mut self, condition: &GuardedValue<'_>) {
+        let &GuardedValue { group, word, value, operands: &[size], .. } = condition else {
             unreachable!("an equation has the size of its sides")
         };
         self.first.closed(value, size, lasting(group), lasting(word));
     }
 
-    fn root(&mut self, sought: &Sought<'_>, sides: &mut dyn FnMut(f64) -> [f64; 3]) -> [f64; 2] {
+    fn root(
+        &mut self,
+        sought: &SoughtRoot<'_>,
+        sides: &mut dyn FnMut(f64) -> [f64; 3],
+    ) -> [f64; 2] {
         let find = if sought.asks_for_a_turn { root_within_a_turn } else { root };
         // Numbers without derivatives ask for no root of plain ones.
         let plain = || unreachable!("these are plain numbers");
@@ -63,7 +67,7 @@ impl Conditions for PoseConditions {
 
     fn bound(
         &mut self,
-        sought: &Sought<'_>,
+        sought: &SoughtRoot<'_>,
         end: usize,
         sides: &mut dyn FnMut(f64) -> [f64; 3],
     ) -> [f64; 2] {
@@ -71,7 +75,7 @@ impl Conditions for PoseConditions {
     }
 }
 
-fn trend(sought: &Sought<'_>) -> Trend {
+fn trend(sought: &SoughtRoot<'_>) -> Trend {
     if sought.rises { Trend::Rising } else { Trend::Falling }
 }
 

@@ -185,6 +185,11 @@ impl Function {
         self.row().last_places
     }
 
+    /// The value at its arguments; a function of one takes the first.
+    pub(crate) fn value<F: Floating>(self, [x, y]: [F; 2]) -> F {
+        F::of(self, x, y)
+    }
+
     /// True if the argument is reduced by turns, which takes words of π.
     pub(crate) const fn reduces_turns(self) -> bool {
         matches!(self, Self::Sin | Self::Cos)
@@ -200,6 +205,43 @@ impl Function {
         self.row().domain
     }
 }
+
+/// A number of the standard library.
+pub(crate) trait Floating: Copy {
+    fn of(function: Function, x: Self, y: Self) -> Self;
+}
+
+macro_rules! floating {
+    ($($float:ident)+) => {$(
+impl Floating for $float {
+    fn of(function: Function, x: Self, y: Self) -> Self {
+        use Function::{
+            Abs, Acos, Asin, Atan, Atan2, Cos, Exp, Hypot, Ln, Max, Min, Pow, Sign, Sin, Sqrt, Tan, Tanh,
+        };
+        match function {
+            Sqrt => x.sqrt(),
+            Hypot => x.hypot(y),
+            Sin => x.sin(),
+            Cos => x.cos(),
+            Tan => x.tan(),
+            Asin => x.asin(),
+            Acos => x.acos(),
+            Atan => x.atan(),
+            Atan2 => x.atan2(y),
+            Exp => x.exp(),
+            Ln => x.ln(),
+            Tanh => x.tanh(),
+            Pow => x.powf(y),
+            Abs | Sign | Min | Max => unreachable!("a corner is made of comparisons"),
+        }
+    }
+}
+    )+};
+}
+
+floating! { f64 }
+#[cfg(test)]
+floating! { f32 }
 
 #[cfg(test)]
 mod tests {

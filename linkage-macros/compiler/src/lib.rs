@@ -89,7 +89,7 @@ pub use blocks::declarations;
 pub use codegen::drawn_plan::{PlanMember, PlanParts, PlanSpring, PlanStatement};
 pub use codegen::script::page::PageParts;
 pub use diagnostics::{Diagnostic, Level};
-pub use ir::placed::{Condition, Conditions, Sought};
+pub use ir::posing::{Conditions, GuardedValue, SoughtRoot};
 pub use pipeline::{
     DrawnPose, File, Options, Output, WrittenValue, c, compile, drawing, fmu, page, quantity,
     report,

@@ -13,7 +13,7 @@ use crate::interface::Interface;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::interpret::ProgramValues;
-use crate::ir::placed::{Conditions, UnknownWords, placed};
+use crate::ir::posing::{Conditions, UnknownWords, placed};
 use crate::ir::program::Program;
 use crate::model::Stub;
 use crate::model::mechanism::{Mechanism, Param};

@@ -1,4 +1,4 @@
-//! What the program `linkage` writes without Rust, beside what the generated solver writes: byte for byte.
+//! Pages and pictures that the program `linkage` writes without Rust, byte for byte those of the generated solver.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -102,7 +102,7 @@ pub(super) fn writes_the_same<
     drop(fs::remove_dir_all(&folder));
 }
 
-/// What stands where two texts begin to differ.
+/// The text around the place where two texts begin to differ.
 fn at(found: &[u8], wanted: &[u8]) -> String {
     let same = found.iter().zip(wanted).take_while(|(found, wanted)| found == wanted).count();
     let near = |text: &[u8]| {

@@ -128,7 +128,7 @@ mod tests {
         assert!(off.iter().all(|off| *off < 1e-13), "{off:?}");
     }
 
-    /// Of a slope whose square is a parabola, the place and the distance are those of its complex zeros.
+    /// The place and the distance are those of the complex zeros of the squared slope, here a parabola.
     #[test]
     fn a_place_is_that_of_the_complex_zeros_of_the_squared_slope() {
         let squares = |x: f64| 2.0 * ((x - 0.31).powi(2) + 0.04_f64.powi(2));

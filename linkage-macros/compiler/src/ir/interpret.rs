@@ -259,21 +259,10 @@ impl Number for $float {
         self / other
     }
     fn of(function: Function, operands: &[&Self]) -> Self {
-        match (function, operands) {
-            (Function::Sqrt, [x]) => Self::sqrt(**x),
-            (Function::Sin, [x]) => Self::sin(**x),
-            (Function::Cos, [x]) => Self::cos(**x),
-            (Function::Hypot, [x, y]) => Self::hypot(**x, **y),
-            (Function::Atan2, [y, x]) => Self::atan2(**y, **x),
-            (Function::Tan, [x]) => Self::tan(**x),
-            (Function::Asin, [x]) => Self::asin(**x),
-            (Function::Acos, [x]) => Self::acos(**x),
-            (Function::Atan, [x]) => Self::atan(**x),
-            (Function::Exp, [x]) => Self::exp(**x),
-            (Function::Ln, [x]) => Self::ln(**x),
-            (Function::Tanh, [x]) => Self::tanh(**x),
-            (Function::Pow, [x, y]) => Self::powf(**x, **y),
-            other => unreachable!("{other:?}"),
+        match operands {
+            [x] => function.value([**x, **x]),
+            [x, y] => function.value([**x, **y]),
+            _ => unreachable!("a function has one argument or two"),
         }
     }
     fn is_at_least(&self, other: &Self) -> bool {

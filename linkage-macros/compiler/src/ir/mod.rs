@@ -12,7 +12,7 @@ pub(crate) mod interpret;
 pub(crate) mod liveness;
 mod node;
 mod operations;
-pub(crate) mod placed;
+pub(crate) mod posing;
 pub(crate) mod program;
 
 #[cfg(test)]

@@ -10,14 +10,14 @@ use super::tree::ExprKind;
 const LARGEST_EXPONENT: u32 = 400;
 
 /// A decimal number: digits without underscores, and the suffix.
-pub(super) struct Number {
+pub(super) struct Literal {
     /// Only a literal made by another macro has a sign of its own.
     pub negative: bool,
     pub digits: String,
     pub unit: Option<String>,
 }
 
-impl Number {
+impl Literal {
     pub(super) fn into_kind(self) -> ExprKind {
         let units = self.unit.map(|unit| (unit, 1));
         ExprKind::Number { digits: self.digits, units: units.into_iter().collect() }
@@ -25,7 +25,7 @@ impl Number {
 }
 
 /// Reads a literal; the error is a message and its reason.
-pub(super) fn number(text: &str) -> Result<Number, (String, &'static str)> {
+pub(super) fn number(text: &str) -> Result<Literal, (String, &'static str)> {
     let unsigned = text.strip_prefix('-').unwrap_or(text);
     if !unsigned.starts_with(|c: char| c.is_ascii_digit()) {
         let quoted = unsigned.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
@@ -54,7 +54,7 @@ pub(super) fn number(text: &str) -> Result<Number, (String, &'static str)> {
     }
     let unit = (!suffix.is_empty()).then(|| suffix.to_string());
     let digits = digits.strip_suffix('.').map(str::to_string).unwrap_or(digits);
-    Ok(Number { negative: text.starts_with('-'), digits, unit })
+    Ok(Literal { negative: text.starts_with('-'), digits, unit })
 }
 
 fn is_word(text: &str) -> bool {

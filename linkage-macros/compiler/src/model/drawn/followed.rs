@@ -98,11 +98,8 @@ impl Fitted<'_> {
             }
         };
         lets.push((&names.traced, traced));
-        let statement = |(name, value): (&Ident, Expr)| {
-            let name = name.clone();
-            StatementKind::Let(LetStatement { name, value })
-        };
-        lets.into_iter().map(statement).collect()
+        let named = |(name, value): (&Ident, Expr)| LetStatement { name: name.clone(), value };
+        lets.into_iter().map(named).map(StatementKind::Let).collect()
     }
 }
 

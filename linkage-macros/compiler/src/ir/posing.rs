@@ -1,7 +1,7 @@
 //! The numbers of one pose, computed without generated code: the program by which a mechanism is drawn, in `f64`, under
 //! the conditions of its slow path. What a condition asks, and how a root is found, is the run-time's.
 
-use crate::ir::graph::{Check, Id, ImplicitId, Node, RootSearch, Target, Trend};
+use crate::ir::graph::{Id, ImplicitId, Node, RootSearch, Target};
 use crate::ir::hash::Map;
 use crate::ir::implicit::Implicit;
 use crate::ir::interpret::{ProgramValues, value};
@@ -11,7 +11,7 @@ use crate::ir::program::{Liveness, Program};
 /// A condition on a value.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
-pub struct Condition<'a> {
+pub struct GuardedValue<'a> {
     /// The name of its type in the run-time crate.
     pub kind: &'a str,
     /// The title of the group whose failure it is.
@@ -27,7 +27,7 @@ pub struct Condition<'a> {
 /// A root that is searched for.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
-pub struct Sought<'a> {
+pub struct SoughtRoot<'a> {
     /// The title of the unknown.
     pub unknown: &'a str,
     /// The unit of its equation.
@@ -45,27 +45,28 @@ pub struct Sought<'a> {
 /// The run-time's part of a pose.
 pub trait Conditions {
     /// The value under a condition, or its replacement at a limit.
-    fn guard(&mut self, condition: &Condition<'_>) -> f64;
+    fn guard(&mut self, condition: &GuardedValue<'_>) -> f64;
 
     /// Told the difference of an equation's sides in the final pose, the value of the condition, and the size of
     /// these sides, its operand.
-    fn closed(&mut self, condition: &Condition<'_>);
+    fn closed(&mut self, condition: &GuardedValue<'_>);
 
     /// The root, and the size that its rounding is measured by. `sides` gives left, right, and the slope of their
     /// difference.
-    fn root(&mut self, sought: &Sought<'_>, sides: &mut dyn FnMut(f64) -> [f64; 3]) -> [f64; 2];
+    fn root(&mut self, sought: &SoughtRoot<'_>, sides: &mut dyn FnMut(f64) -> [f64; 3])
+    -> [f64; 2];
 
     /// An end of the stretch on which the equation has its trend, and one at a dead point. `sides` gives the
     /// difference, its slope, and its curvature.
     fn bound(
         &mut self,
-        sought: &Sought<'_>,
+        sought: &SoughtRoot<'_>,
         end: usize,
         sides: &mut dyn FnMut(f64) -> [f64; 3],
     ) -> [f64; 2];
 }
 
-/// What is known of an unknown: its title, the unit of its equation, and whether its ends are asked for a turn.
+/// The words for an unknown: its title, the unit of its equation, and whether its ends are asked for a turn.
 pub(crate) struct UnknownWords {
     pub title: String,
     pub unit: String,
@@ -135,14 +136,14 @@ impl PoseValues<'_> {
         let guard = self.program.graph.condition(guard);
         let at = |id: &Id| self.values[id.index()];
         let operands: Vec<f64> = guard.operands.iter().map(at).collect();
-        let condition = Condition {
+        let condition = GuardedValue {
             kind: guard.check.row().diagnosis,
             group: &self.program.groups[guard.group as usize],
             word: guard.check.word().unwrap_or_default(),
             value: at(&under),
             operands: &operands,
         };
-        if matches!(guard.check, Check::Closed(_)) {
+        if guard.check.is_of_both_paths() {
             conditions.closed(&condition);
             return condition.value;
         }
@@ -156,12 +157,10 @@ impl PoseValues<'_> {
         conditions: &mut dyn Conditions,
     ) -> [f64; 2] {
         let words = &self.unknowns[search.unknown as usize];
-        let rises = match search.trend {
-            Trend::Rising => true,
-            Trend::Falling => false,
-            Trend::Param(param) => self.given.params[param as usize] > 0.0,
-        };
-        let sought = Sought {
+        let by_mode =
+            || search.trend.param().map_or(0.0, |param| self.given.params[param as usize]);
+        let rises = search.trend.sign().unwrap_or_else(by_mode) > 0.0;
+        let sought = SoughtRoot {
             unknown: &words.title,
             unit: &words.unit,
             between: search.between.map(|end| self.values[end.index()]),
