@@ -6,12 +6,12 @@ use linkage_core::SolveError;
 
 use crate::error::DesignError;
 use crate::found::{Counts, Found};
-use crate::guards::{Confirmed, Guard, Verdict};
 use crate::kernel::{Kernel, Slsqp};
 use crate::problem::Problem;
 use crate::rows::{Block, Dual};
 use crate::search::Progress;
 use crate::starts::{Begin, Plan, judge, parted};
+use crate::verdict::{Confirmed, Guard, Verdict};
 
 /// The most times that samples are added and the search goes on from its ends.
 const ROUNDS: usize = 12;

@@ -5,12 +5,12 @@ use core::fmt;
 use nalgebra::DMatrix;
 
 use crate::error::DesignError;
-use crate::guards::{Confirmed, Verdict};
 use crate::kernel::Evaluation;
 use crate::optimality::{ACTIVE, Limit, Optimality};
 use crate::problem::Problem;
 use crate::rows::{Failure, named};
 use crate::starts::{Attempt, Begun, nearest};
+use crate::verdict::{Confirmed, Verdict};
 
 /// A limit that the found machine is at.
 #[derive(Clone, Debug, PartialEq)]

@@ -57,6 +57,7 @@
 
 mod design;
 mod error;
+mod follows;
 mod found;
 mod guards;
 mod kernel;
@@ -70,16 +71,17 @@ mod rows;
 mod search;
 mod starts;
 mod targets;
+mod verdict;
 
 pub use design::Design;
 pub use error::DesignError;
+pub use follows::{Follows, Pose};
 pub use found::{Counts, Found, Other, Price};
-pub use guards::{Confirmed, Verdict};
 pub use kernel::{Evaluation, Goal, Kernel, Slsqp};
 pub use placed::{Placement, placement};
 pub use rows::{Dual, Rows};
 pub use search::{Progress, Stage};
-pub use targets::{Follows, Pose};
+pub use verdict::{Confirmed, Verdict};
 
 /// The parameters of a machine that a design may change: `free!(Press: rod, crank)`.
 ///

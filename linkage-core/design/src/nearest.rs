@@ -7,8 +7,8 @@
 use linkage_core::num_dual::Derivative;
 use linkage_core::{Direction, SolveError};
 
+use crate::follows::{Follows, Pose};
 use crate::rows::{Cause, Dual, Machines, finite};
-use crate::targets::{Follows, Pose};
 
 /// Something to pass.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,46 +1,12 @@
 //! Targets of a machine's curve: functions, paths and poses, with a time for each or without.
 
-use linkage_core::{Direction, SlidingDirection, SolveError};
+use linkage_core::{Direction, SolveError};
 
 use crate::design::Design;
+use crate::follows::{Follows, Pose};
 use crate::nearest::{Frame, Nearest};
 use crate::placed::remainders;
 use crate::rows::{Block, Cause, Dual, Machines, finite};
-
-/// An output that can follow a function: a number, or a direction by its angle.
-pub trait Follows<const N: usize> {
-    /// The output less the wanted number; of an angle the difference in (−π, π].
-    fn ahead_of(self, wanted: f64) -> Dual<N>;
-}
-
-impl<const N: usize> Follows<N> for Dual<N> {
-    fn ahead_of(self, wanted: f64) -> Dual<N> {
-        self - wanted
-    }
-}
-
-impl<const N: usize> Follows<N> for Direction<Dual<N>> {
-    fn ahead_of(self, wanted: f64) -> Dual<N> {
-        self.angle_from(Direction::from_angle(Dual::from_re(wanted)))
-    }
-}
-
-impl<const N: usize> Follows<N> for SlidingDirection<Dual<N>> {
-    fn ahead_of(self, wanted: f64) -> Dual<N> {
-        Direction::from(self).ahead_of(wanted)
-    }
-}
-
-/// A pose that a link shall pass.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pose {
-    /// A point of the link, in metres.
-    pub x: f64,
-    /// Its other coordinate.
-    pub y: f64,
-    /// The angle of the link in radians.
-    pub angle: f64,
-}
 
 impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
     /// An output that shall follow a function, given as pairs of an input and the wanted output.
