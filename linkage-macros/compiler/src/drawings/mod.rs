@@ -10,6 +10,7 @@ mod chains_of_eight;
 mod declared_by_hand;
 mod declared_points;
 mod drawn_inputs;
+mod drawn_parallelograms;
 mod eight_bars;
 mod files;
 mod following;

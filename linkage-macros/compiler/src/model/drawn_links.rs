@@ -1,5 +1,7 @@
 //! The links of a drawing as groups have made them.
 
+use std::collections::HashMap;
+
 use proc_macro2::Ident;
 
 use crate::syntax::tree::Expr;
@@ -22,6 +24,8 @@ pub(in crate::model) struct DrawnLinks {
     pub slides: Vec<SlideFound>,
     /// Links that unknowns turn which nobody has written.
     pub searched: Vec<Ident>,
+    /// The pins of two bars that are drawn as a parallelogram, and the corners opposite to each.
+    pub parallels: HashMap<Ident, Vec<Ident>>,
     /// Links that are driven, and those whose drivers drive them.
     pub drives: Vec<[Ident; 2]>,
 }

@@ -84,7 +84,7 @@ pub(super) fn shown_in_degrees(value: &Exact) -> String {
     shown_f64(value.to_f64().to_degrees())
 }
 
-fn shown_f64(value: f64) -> String {
+pub(super) fn shown_f64(value: f64) -> String {
     let short = format!("{value:.5e}");
     // Parsed back, `2.00000e0` prints as 2.
     short.parse::<f64>().map_or(short, |rounded| rounded.to_string())

@@ -8,11 +8,10 @@ use crate::model::mechanism::{
     Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId, Scalar,
     Slideway,
 };
-use crate::model::opposite_sides::opposite_sides;
 use crate::model::parts_of_groups::{Dimensions, OuterJoint, Parts};
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
-use crate::model::{assembly, fits, modes, numbers, uses};
+use crate::model::{assembly, fits, modes, numbers, opposite_sides, uses};
 
 impl Parts<'_> {
     /// Tells whether the link has its outer joint at one end and the pin at the other.
@@ -89,9 +88,11 @@ fn assembled(scope: &mut Scope<'_>, parts: &Parts, lengths: &[Option<Length>]) -
         return Some(Assembly::Unique);
     }
     if let Some(at) = modes::parallel(scope, parts.anatomy, &parts.fields) {
-        return opposite_sides(scope, parts, lengths, at).map(Assembly::Parallel);
+        return opposite_sides::declared(scope, parts, lengths, at).map(Assembly::Parallel);
     }
-    modes::mode(scope, parts.group, parts.anatomy, &parts.fields).map(Assembly::Signed)
+    let mode = modes::mode(scope, parts.group, parts.anatomy, &parts.fields)?;
+    let drawn = opposite_sides::drawn(scope, parts, lengths, mode);
+    Some(drawn.map_or(Assembly::Signed(mode), Assembly::Parallel))
 }
 
 /// The field `length` is the first link's, `lengths` are both links'.

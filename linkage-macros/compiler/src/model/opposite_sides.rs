@@ -9,28 +9,29 @@ use crate::exact::Exact;
 
 use crate::model::assembly::span_of;
 use crate::model::expr::Scalar;
-use crate::model::folding::shown;
+use crate::model::folding::shown_f64;
 use crate::model::mechanism::{
-    Carrier, Length, Mechanism, Opposite, PartOf, Placement, PointId, Step,
+    Carrier, Length, Mechanism, Mode, Opposite, PartOf, Placement, PointId, Step,
 };
 use crate::model::parts_of_groups::Parts;
 use crate::model::same_expression::{difference, hypotenuse, is_same};
 use crate::model::scope::Scope;
 use crate::syntax::tree::Expr;
 
+/// The most by which sides may differ that are meant to be as long, in parts of the bar.
+const NEARLY: f64 = 1e-3;
+
 /// The corner of `mode: parallel`, which is refused where there is none.
-pub(super) fn opposite_sides(
+pub(super) fn declared(
     scope: &mut Scope<'_>,
     parts: &Parts,
     lengths: &[Option<Length>],
     at: &Expr,
 ) -> Option<Opposite> {
-    let outer = [parts.point(0)?, parts.point(1)?];
-    let lengths = [lengths.first()?.as_ref()?, lengths.get(1)?.as_ref()?];
-    let corners = corners(scope, outer);
-    let equal =
-        corners.iter().find(|corner| unequal_side(scope, **corner, outer, lengths).is_none());
-    if let Some(corner) = equal {
+    let bars = Bars::of(parts, lengths)?;
+    let corners = corners(scope, bars.outer);
+    if let Some(corner) = corners.iter().find(|corner| bars.unequal_side(scope, **corner).is_none())
+    {
         return Some(*corner);
     }
     if scope.diagnostics.count() > 0 {
@@ -38,11 +39,75 @@ pub(super) fn opposite_sides(
         return None;
     }
     let (message, reason) = match corners.first() {
-        Some(corner) => sides_differ(scope, parts, *corner, outer, lengths),
-        None => no_corner(scope, parts, outer),
+        Some(corner) => (
+            format!(
+                "`parallel` needs opposite sides of one length: {}",
+                bars.difference(scope, parts, *corner)
+            ),
+            "give both the same expression or the same number, or write `left` or `right`"
+                .to_string(),
+        ),
+        None => no_corner(scope, parts, bars.outer),
     };
     scope.diagnostics.error_because(at.span, message, reason);
     None
+}
+
+/// The corner of what is drawn as a parallelogram. Where its sides are not known to be equal, and where those of bars
+/// with a constant mode nearly are, it is noted.
+pub(super) fn drawn(
+    scope: &mut Scope<'_>,
+    parts: &Parts,
+    lengths: &[Option<Length>],
+    mode: Mode,
+) -> Option<Opposite> {
+    let (pin, bars) = (parts.group.pin.as_ref()?, Bars::of(parts, lengths)?);
+    let named = scope.drawn.and_then(|drawn| drawn.parallels.get(pin));
+    let is_named = |opposite: &Opposite| {
+        let corner = &scope.mechanism.points[opposite.corner.index()].name;
+        named.is_none_or(|named| named.contains(corner))
+    };
+    let corners: Vec<_> = corners(scope, bars.outer).into_iter().filter(is_named).collect();
+    let is_drawn = named.is_some();
+    let equal = corners.iter().find(|corner| bars.unequal_side(scope, **corner).is_none());
+    if let Some(corner) = equal {
+        return is_drawn.then_some(*corner);
+    }
+    let is_near = |corner: &&Opposite| is_drawn || bars.are_nearly_equal(scope, **corner);
+    if let (Mode::Fixed(_), Some(corner)) = (mode, corners.iter().find(is_near)) {
+        note_unequal_sides(scope, parts, &bars, *corner, is_drawn);
+    }
+    None
+}
+
+fn note_unequal_sides(
+    scope: &mut Scope<'_>,
+    parts: &Parts,
+    bars: &Bars<'_>,
+    corner: Opposite,
+    is_drawn: bool,
+) {
+    let title = parts.group.title();
+    let sides = bars.difference(scope, parts, corner);
+    let message = match is_drawn {
+        true => format!("`{title}` is drawn as a parallelogram, but does not stay one: {sides}"),
+        false => format!("`{title}` is nearly a parallelogram: {sides}"),
+    };
+    let reason = match is_drawn {
+        true => {
+            "near one line its bars jam or cross; draw opposite sides with the same numbers, or give them the same length"
+        }
+        false => {
+            "near one line its bars jam or cross; with equal sides `mode: parallel` keeps it a parallelogram"
+        }
+    };
+    scope.diagnostics.note_because(parts.group.keyword.span(), message, reason);
+}
+
+/// Two bars: their outer joints and lengths.
+struct Bars<'l> {
+    outer: [PointId; 2],
+    lengths: [&'l Length; 2],
 }
 
 /// The points that are on one body with the first joint and on another one with the second.
@@ -60,17 +125,57 @@ fn corners(scope: &Scope<'_>, [b, d]: [PointId; 2]) -> Vec<Opposite> {
     found
 }
 
-/// The first bar whose opposite side is not known to be as long.
-fn unequal_side(
-    scope: &Scope<'_>,
-    Opposite { corner, carriers }: Opposite,
-    outer: [PointId; 2],
-    lengths: [&Length; 2],
-) -> Option<usize> {
-    [0, 1].into_iter().find(|&bar| {
-        let ends = [corner, outer[1 - bar]];
-        !is_as_long(scope, carriers[bar], ends, &lengths[bar].value)
-    })
+impl<'l> Bars<'l> {
+    fn of(parts: &Parts, lengths: &'l [Option<Length>]) -> Option<Self> {
+        let outer = [parts.point(0)?, parts.point(1)?];
+        Some(Self { outer, lengths: [lengths.first()?.as_ref()?, lengths.get(1)?.as_ref()?] })
+    }
+
+    /// The body of the side opposite to a bar, and the ends of the side.
+    fn opposite_side(&self, corner: Opposite, bar: usize) -> (Carrier, [PointId; 2]) {
+        (corner.carriers[bar], [corner.corner, self.outer[1 - bar]])
+    }
+
+    /// The first bar whose opposite side is not known to be as long.
+    fn unequal_side(&self, scope: &Scope<'_>, corner: Opposite) -> Option<usize> {
+        [0, 1].into_iter().find(|&bar| {
+            let (carrier, ends) = self.opposite_side(corner, bar);
+            !is_as_long(scope, carrier, ends, &self.lengths[bar].value)
+        })
+    }
+
+    /// The number of a bar, and how much longer its opposite side is, where both are constant.
+    fn excess(&self, scope: &Scope<'_>, corner: Opposite, bar: usize) -> Option<[f64; 2]> {
+        let (carrier, ends) = self.opposite_side(corner, bar);
+        let length = self.lengths[bar].value.constant()?;
+        let square = square_of_side(scope, carrier, ends)?;
+        // (s² − l²)/(s + l): exact where they are nearly equal.
+        let (wide, sum) =
+            (square.sub(&length.mul(length)).to_f64(), square.to_f64().sqrt() + length.to_f64());
+        Some([length.to_f64(), wide / sum])
+    }
+
+    fn are_nearly_equal(&self, scope: &Scope<'_>, corner: Opposite) -> bool {
+        [0, 1].into_iter().all(|bar| {
+            let excess = self.excess(scope, corner, bar);
+            excess.is_some_and(|[length, excess]| excess.abs() <= NEARLY * length)
+        })
+    }
+
+    /// The difference of sides that are not known to be equal, in words.
+    fn difference(&self, scope: &Scope<'_>, parts: &Parts, corner: Opposite) -> String {
+        let bar = self.unequal_side(scope, corner).unwrap_or_default();
+        let (_, ends) = self.opposite_side(corner, bar);
+        let (name, side) = (&parts.group.legs[bar].link, span_of(scope, ends));
+        match self.excess(scope, corner, bar) {
+            Some([length, excess]) => {
+                let than = if excess > 0.0 { "longer" } else { "shorter" };
+                let [length, excess] = [length, excess.abs()].map(shown_f64);
+                format!("`{name}` is {length} m, and {side} is {excess} m {than}")
+            }
+            None => format!("that of `{name}` is not known to be {side}"),
+        }
+    }
 }
 
 /// True if the two points of a body are known to be that far apart.
@@ -149,31 +254,6 @@ fn coordinates(scope: &Scope<'_>, carrier: Carrier, asked: PointId) -> Option<[S
     let made_by = scope.mechanism.links[link.index()].made_by;
     let is_pin = is_pin && scope.mechanism.points[asked.index()].part_of == PartOf::Pin(made_by);
     is_pin.then(|| facts.length.clone()).flatten().map(|length| [length, Scalar::zero()])
-}
-
-fn sides_differ(
-    scope: &Scope<'_>,
-    parts: &Parts,
-    corner: Opposite,
-    outer: [PointId; 2],
-    lengths: [&Length; 2],
-) -> (String, String) {
-    let bar = unequal_side(scope, corner, outer, lengths).unwrap_or_default();
-    let (ends, carrier) = ([corner.corner, outer[1 - bar]], corner.carriers[bar]);
-    let (name, side) = (&parts.group.legs[bar].link, span_of(scope, ends));
-    let numbers = lengths[bar].value.constant().zip(square_of_side(scope, carrier, ends));
-    let message = match numbers.and_then(|(length, square)| Some((length, square.sqrt()?))) {
-        Some((length, of_side)) => format!(
-            "`parallel` needs opposite sides of one length: `{name}` is {} m, and {side} is {} m",
-            shown(length),
-            shown(&of_side)
-        ),
-        None => format!(
-            "`parallel` needs opposite sides of one length, and that of `{name}` is not known to be {side}"
-        ),
-    };
-    let reason = "give both the same expression or the same number, or write `left` or `right`";
-    (message, reason.to_string())
 }
 
 fn no_corner(scope: &Scope<'_>, parts: &Parts, outer: [PointId; 2]) -> (String, String) {

@@ -43,7 +43,6 @@ mod written;
 
 use crate::model::drawn_links::DrawnLinks;
 use proc_macro2::Ident;
-use syn::Attribute;
 
 use crate::chain;
 use crate::chain::cutting::Found;
@@ -57,12 +56,12 @@ use bodies::Bodies;
 use ends::RodEnd;
 use reader::Reader;
 use values::Measured;
+use written::Sought;
 
 /// The declaration of the groups of a drawing.
 struct Translation {
     tree: Declaration,
-    /// The groups as documentation of the struct.
-    found: Vec<Attribute>,
+    searches: Vec<Sought>,
     links: DrawnLinks,
     ends: Vec<RodEnd>,
     /// True if drives hold links together.
@@ -87,11 +86,12 @@ fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
 
 /// The mechanism that a drawing means.
 pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
-    let cut = cut(tree, diagnostics)?;
+    let mut cut = cut(tree, diagnostics)?;
     let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.links)?;
     mechanism.references = References::of(tree);
     mechanism.drawn = cut.inputs;
-    mechanism.found = cut.found;
+    modes_as_drawn::write_parallel(&mut cut.tree, &mechanism);
+    mechanism.found = printed::documentation(&cut.tree, &cut.searches);
     if cut.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
         messages::report_held_reactions(tree, &mechanism, diagnostics);
@@ -139,8 +139,8 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     writer.fixed_links();
     steps.iter().for_each(|step| writer.step(step));
     let translated = writer.declaration();
-    let found = printed::documentation(tree, &translated);
-    let writer::Translated { statements, links, ends, holds_links, misplaced, .. } = translated;
+    let writer::Translated { statements, links, searches, ends, holds_links, misplaced } =
+        translated;
     placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
     placed::report_distances_apart(&bodies, &links.bars, values.scope.diagnostics)?;
     let declaration = Declaration {
@@ -152,7 +152,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         is_damaged: tree.is_damaged,
         unwritten: tree.unwritten.clone(),
     };
-    Some(Translation { tree: declaration, found, links, ends, holds_links, inputs })
+    Some(Translation { tree: declaration, searches, links, ends, holds_links, inputs })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.

@@ -1,15 +1,22 @@
-//! Modes of groups that are declared by hand, where the drawing says where their pins are.
+//! Modes that a drawing gives: those of groups that are declared by hand, where it says where their pins are, and the
+//! corners of what is drawn as a parallelogram.
+
+use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
 use crate::chain::plane::Complex;
 use crate::syntax::anatomy::GroupSpec;
 use crate::syntax::tree::{
-    Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Statement, StatementKind,
+    Declaration, Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Statement,
+    StatementKind,
 };
 
 use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::messages::LEAST_SINE;
+use crate::model::drawn::writer::Writer;
+use crate::model::mechanism::Mechanism;
+use crate::model::modes::PARALLEL;
 
 /// The statement with the mode of the drawing, where it leaves out one that it needs and all its pins are drawn off its
 /// limit.
@@ -51,4 +58,88 @@ fn sine(bodies: &Bodies<'_>, group: &GroupStatement) -> Option<f64> {
     let guide = bodies.guides.iter().find(|guide| guide.name == other)?;
     let [x, y] = &guide.line.along;
     Some(Complex::new(x.value, y.value).unit().dot(bar))
+}
+
+/// The most by which a side of a parallelogram may differ from its opposite one, in parts of the shortest side: what is
+/// off by more is not meant as one.
+const ALIKE: f64 = 1e-3;
+
+/// The pins with which the pin `c` between bars from `b` and `d` is drawn as a parallelogram: each is on one body with `b`
+/// and on another with `d`.
+fn corners_as_drawn(bodies: &Bodies<'_>, [b, c, d]: [usize; 3]) -> Vec<usize> {
+    let machine = &bodies.machine;
+    let at = |pin: usize| machine.pins[pin];
+    let (along, beside) = (at(c) - at(b), at(c) - at(d));
+    let shortest = along.length().min(beside.length());
+    let is_opposite = |corner: usize| {
+        (at(d) - at(corner) - along).length() <= ALIKE * shortest && corner != b && corner != d
+    };
+    let joins = |first: usize, second: usize| {
+        move |body: &usize| {
+            let pins = &machine.bodies[*body].pins;
+            pins.contains(&first) && pins.contains(&second)
+        }
+    };
+    let is_corner = |corner: &usize| {
+        is_opposite(*corner)
+            && machine
+                .at(b)
+                .filter(joins(b, *corner))
+                .any(|of_b| machine.at(d).filter(joins(d, *corner)).any(|of_d| of_d != of_b))
+    };
+    (0..machine.pins.len()).filter(is_corner).collect()
+}
+
+impl Writer<'_, '_> {
+    /// Notes the corners of two bars that are drawn as a parallelogram.
+    pub(super) fn note_parallel(&mut self, pins: [usize; 3]) {
+        let name = |pin: usize| self.bodies.pins[pin].name.clone();
+        let corners: Vec<_> = corners_as_drawn(self.bodies, pins).into_iter().map(name).collect();
+        if !corners.is_empty() {
+            self.links.parallels.insert(name(pins[1]), corners);
+        }
+    }
+}
+
+/// The parallelograms among the statements that take their mode from the drawing: those that are restated with it.
+pub(super) fn parallels(
+    bodies: &Bodies<'_>,
+    others: &[(usize, &Statement)],
+    restated: &[Option<Statement>],
+) -> Vec<(Ident, Vec<Ident>)> {
+    let with_drawn_mode = others.iter().zip(restated).filter(|(_, restated)| restated.is_some());
+    with_drawn_mode.filter_map(|((_, other), _)| corners_of_statement(bodies, other)).collect()
+}
+
+/// The pin of a statement with the mode of the drawing, and its corners where it is drawn as a parallelogram.
+fn corners_of_statement(bodies: &Bodies<'_>, statement: &Statement) -> Option<(Ident, Vec<Ident>)> {
+    let StatementKind::Group(group) = &statement.kind else { return None };
+    GroupSpec::of(&group.keyword.to_string()).filter(|anatomy| anatomy.can_be_parallel())?;
+    let place = |name: &Ident| bodies.pins.iter().position(|pin| pin.name == *name);
+    let [first, second] = &group.legs[..] else { return None };
+    let pin = group.pin.as_ref()?;
+    let pins = [place(first.joint.as_ref()?)?, place(pin)?, place(second.joint.as_ref()?)?];
+    let corners = corners_as_drawn(bodies, pins).into_iter();
+    let corners: Vec<_> = corners.map(|corner| bodies.pins[corner].name.clone()).collect();
+    (!corners.is_empty()).then(|| (pin.clone(), corners))
+}
+
+/// Writes the mode of groups that stay parallelograms into their statements.
+pub(super) fn write_parallel(tree: &mut Declaration, mechanism: &Mechanism) {
+    let of_groups = mechanism.group_steps().filter(|group| group.opposite().is_some());
+    let pins: HashSet<&Ident> = of_groups
+        .filter_map(|group| group.pin)
+        .map(|pin| &mechanism.points[pin.index()].name)
+        .collect();
+    for statement in &mut tree.statements {
+        let StatementKind::Group(group) = &mut statement.kind else { continue };
+        if group.pin.as_ref().is_none_or(|pin| !pins.contains(pin)) {
+            continue;
+        }
+        for field in group.fields.iter_mut().filter(|field| field.name == "mode") {
+            let span = field.name.span();
+            let word = ExprKind::Name(Ident::new(PARALLEL, span));
+            field.value = GroupFieldValue::One(Expr { kind: word, span: span.into() });
+        }
+    }
 }

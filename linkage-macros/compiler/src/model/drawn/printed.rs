@@ -4,12 +4,11 @@ use syn::Attribute;
 
 use crate::syntax::tree::Declaration;
 
-use crate::model::drawn::writer::Translated;
 use crate::model::drawn::written::{Sought, Stretch};
 use crate::model::statements::rules;
 
-/// What was found in the drawing, as documentation of the struct.
-pub(super) fn documentation(tree: &Declaration, translated: &Translated) -> Vec<Attribute> {
+/// The declaration of the groups that were found in the drawing, as documentation of the struct.
+pub(super) fn documentation(tree: &Declaration, searches: &[Sought]) -> Vec<Attribute> {
     let mut lines = vec![
         String::new(),
         " # Groups found in the drawing".to_string(),
@@ -20,10 +19,10 @@ pub(super) fn documentation(tree: &Declaration, translated: &Translated) -> Vec<
         " mechanism! {".to_string(),
         format!("     pub struct {} {{", tree.name),
     ];
-    let statements = translated.statements.iter();
+    let statements = tree.statements.iter();
     lines.extend(statements.map(|statement| format!("         {}", rules(statement).written())));
     lines.extend(["     }", " }", " ```"].map(String::from));
-    for Sought { unknown, traced, stretches } in &translated.searches {
+    for Sought { unknown, traced, stretches } in searches {
         let goes = stretches.iter().map(goes).collect::<Vec<_>>().join(", and while ");
         let alone = if stretches.len() > 1 { ", the others as drawn" } else { "" };
         lines.push(String::new());

@@ -15,7 +15,7 @@ use crate::model::drawn::frame_shifts::FrameShifts;
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::free_names::FreeNames;
 use crate::model::drawn::group_statement::group_of;
-use crate::model::drawn::modes_as_drawn::with_mode;
+use crate::model::drawn::modes_as_drawn::{parallels, with_mode};
 use crate::model::drawn::written::{Sought, Written};
 use crate::model::drawn::{is_point_of, sorted};
 use crate::model::drawn_links::DrawnLinks;
@@ -101,6 +101,7 @@ impl<'b, 't> Writer<'b, 't> {
         let others: Vec<_> = self.bodies.other_statements().collect();
         let restated = |other| self.by_coordinates(other).or_else(|| with_mode(self.bodies, other));
         let placed: Vec<_> = others.iter().map(|(_, other)| restated(other)).collect();
+        let parallels = parallels(self.bodies, &others, &placed);
         let Self {
             bodies,
             turns,
@@ -128,6 +129,7 @@ impl<'b, 't> Writer<'b, 't> {
         let hidden = links.hidden.iter().map(|(name, _)| name);
         links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
         (links.bars, links.joints) = (bars, joints);
+        links.parallels.extend(parallels);
         links.names = names.made;
         links.turned = turns.directions();
         Translated { statements, links, searches, ends, holds_links, misplaced }
@@ -243,6 +245,7 @@ impl<'b, 't> Writer<'b, 't> {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
                 let bars = [(0, u), (1, w)].map(|(leg, pin)| self.bar(&dyad.legs[leg], [pin, v]));
                 let lengths = bars.each_ref().map(DrawnBar::length);
+                self.note_parallel([u, v, w]);
                 let mode = if sign > 0.0 { "left" } else { "right" };
                 let mode = self.mode(dyad.legs[0].bodies[0], mode);
                 let fields = vec![("lengths", GroupFieldValue::Pair(lengths)), mode];

@@ -231,19 +231,19 @@ fn bars_are_parallel_where_opposite_sides_are_known_to_be_as_long() {
         (
             CRANK,
             "rrr BC(B), DC(D) -> C { lengths: (4.001m, 1m), mode: parallel }",
-            "parallel: `parallel` needs opposite sides of one length: `BC` is 4.001 m, and |AD| is 4 m / give both the \
+            "parallel: `parallel` needs opposite sides of one length: `BC` is 4.001 m, and |AD| is 0.001 m shorter / give both the \
              same expression or the same number, or write `left` or `right`",
         ),
         (
             CRANK,
             "rrr BC(B), DC(D) -> C { lengths: (4m, 1.01m), mode: parallel }",
-            "parallel: `parallel` needs opposite sides of one length: `DC` is 1.01 m, and |AB| is 1 m / give both the \
+            "parallel: `parallel` needs opposite sides of one length: `DC` is 1.01 m, and |AB| is 0.01 m shorter / give both the \
              same expression or the same number, or write `left` or `right`",
         ),
         (
             SIDES,
             "rrr BC(B), DC(D) -> C { lengths: (4m, r), mode: parallel }",
-            "parallel: `parallel` needs opposite sides of one length, and that of `BC` is not known to be |AD| / give \
+            "parallel: `parallel` needs opposite sides of one length: that of `BC` is not known to be |AD| / give \
              both the same expression or the same number, or write `left` or `right`",
         ),
         (
