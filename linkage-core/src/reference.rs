@@ -15,6 +15,7 @@
 //! | [`recipes`] | parallelograms, cylinders, gears, inversors, engines, suspensions |
 //! | [`control`] | C99 and FMUs printed by the program `linkage`; without the standard library; from C |
 //! | [`robots`] | closed loops between motors and joints, both ways |
+//! | `linkage-design`, a crate of its own | dimensions for a function, a path or poses; tolerances and play |
 //! | [`method`] | formulas of the five dyads, limits, searches, forces, how errors are measured, literature |
 //! | [`measurements`] | accuracy, speed and size, with the commands that measure them |
 //!

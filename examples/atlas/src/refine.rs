@@ -13,11 +13,9 @@
 
 use std::f64::consts::TAU;
 
-use basin::{
-    ConstraintDescription, ConstraintSet, Constraints, DenseMatrix, Executor, Jacobian,
-    LevenbergMarquardt, NoConstraints, PointState, Residual,
-};
+use linkage_core::nalgebra::{DMatrix, DVector};
 use linkage_core::{LengthMismatch, Real, Side, SolveError, differentiate};
+use linkage_design::{Evaluation, Goal, Kernel, LeastSquares, Rows};
 use rayon::prelude::*;
 
 use crate::four_bar::{Dimensions, FourBar, Tracer};
@@ -40,7 +38,7 @@ const DIMENSIONS: usize = 5;
 const VARIED: usize = DIMENSIONS + 2;
 
 /// The most steps: from the grid a refinement takes ten to forty.
-const STEPS: u64 = 100;
+const STEPS: usize = 100;
 
 /// The least and the most of x, y and z, of the coupler point along the coupler and across it; the point in
 /// lengths of the coupler. x, y and z are from half of the grid's slack to twice what the grid has.
@@ -172,23 +170,16 @@ fn split(varied: &[f64]) -> ([f64; DIMENSIONS], f64, f64) {
     (core::array::from_fn(|i| varied[i]), varied[DIMENSIONS], varied[DIMENSIONS + 1])
 }
 
-impl Residual for Remainder<'_> {
-    type Param = Vec<f64>;
-    type Output = Vec<f64>;
-    type Error = SolveError;
-
-    fn residual(&self, varied: &Vec<f64>) -> Result<Vec<f64>, SolveError> {
-        let (free, psi, tau) = split(varied);
-        Ok(self.residuals(&of_curve(free)?, psi, tau))
-    }
-}
-
-impl Jacobian for Remainder<'_> {
-    type Jacobian = DenseMatrix;
-
-    fn jacobian(&self, varied: &Vec<f64>) -> Result<DenseMatrix, SolveError> {
-        let (free, psi, tau) = split(varied);
-        let (curve, slopes) = (of_curve(free)?, differentiate(free, of_curve)?);
+impl Remainder<'_> {
+    /// The slopes of the residuals, row after row.
+    fn slopes(
+        &self,
+        free: [f64; DIMENSIONS],
+        curve: &[f64; RESIDUALS],
+        psi: f64,
+        tau: f64,
+    ) -> Result<Vec<f64>, SolveError> {
+        let slopes = differentiate(free, of_curve)?;
         let mut rows = Vec::with_capacity(RESIDUALS * VARIED);
         for (_, at, sign, k) in self.pairs() {
             let turn = Complex::turn(psi + k * tau);
@@ -202,15 +193,46 @@ impl Jacobian for Remainder<'_> {
             rows.extend(by_dimension.iter().map(|slope| -slope.im));
             rows.extend([-re, -k * re]);
         }
-        Ok(DenseMatrix::from_row_slice(RESIDUALS, VARIED, &rows))
+        Ok(rows)
+    }
+
+    fn evaluated(
+        &self,
+        varied: [f64; VARIED],
+        with_slopes: bool,
+    ) -> Result<Evaluation, SolveError> {
+        let (free, psi, tau) = split(&varied);
+        let curve = of_curve(free)?;
+        let values = DVector::from_vec(self.residuals(&curve, psi, tau));
+        let slopes = if with_slopes {
+            DMatrix::from_row_slice(RESIDUALS, VARIED, &self.slopes(free, &curve, psi, tau)?)
+                * RANGE
+        } else {
+            DMatrix::zeros(RESIDUALS, VARIED)
+        };
+        let none = Rows { values: DVector::zeros(0), slopes: DMatrix::zeros(0, VARIED) };
+        Ok(Evaluation { aims: Rows { values, slopes }, keeps: none })
     }
 }
 
-impl Constraints for Remainder<'_> {
-    type Set = NoConstraints;
+/// The numbers from 0 to 1 of a search stand for two turns: all of them are angles.
+const RANGE: f64 = 2.0 * TAU;
 
-    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
-        ConstraintSet::new()
+/// The search about a start, which is in the middle of the ranges.
+struct About<'a> {
+    remainder: Remainder<'a>,
+    start: [f64; VARIED],
+}
+
+impl About<'_> {
+    fn varied(&self, x: &[f64]) -> [f64; VARIED] {
+        core::array::from_fn(|i| self.start[i] + RANGE * (x[i] - 0.5))
+    }
+}
+
+impl Goal for About<'_> {
+    fn evaluate(&self, x: &[f64], with_slopes: bool) -> Option<Evaluation> {
+        self.remainder.evaluated(self.varied(x), with_slopes).ok()
     }
 }
 
@@ -227,14 +249,13 @@ pub fn refined(path: &Descriptor, found: &Found) -> Result<Found, LengthMismatch
     };
     let (_, alignment) = path.aligned(&curve);
     let psi = alignment.turn.im.atan2(alignment.turn.re);
-    let start = PointState::new([&start[..], &[psi, alignment.shift]].concat());
-    let method = LevenbergMarquardt::new()
-        .with_absolute_gradient_tolerance(1e-14)
-        .with_relative_model_reduction_tolerance(1e-8);
-    let ended = Executor::new(Remainder { path, alignment }, method, start).max_iter(STEPS).run();
-    let Ok(ended) = ended else { return Ok(*found) };
+    let [a, b, c, d, e] = start;
+    let start = [a, b, c, d, e, psi, alignment.shift];
+    let about = About { remainder: Remainder { path, alignment }, start };
+    let method = LeastSquares { steps: STEPS, reduction: 1e-8 };
+    let ended = about.varied(&method.search(&about, &[0.5; VARIED]));
     let FourBar { coupler, follower, base, p_x: along, p_y: across, branch } =
-        four_bar(split(ended.param()).0);
+        four_bar(split(&ended).0);
     let dimensions = Dimensions { coupler, follower, base, along, across, branch };
     let refined = search::compared(path, found.candidate, dimensions)?;
     Ok(refined.filter(|refined| refined.distance < found.distance).unwrap_or(*found))

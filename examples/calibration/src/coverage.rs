@@ -1,6 +1,6 @@
 //! The rate at which the true dimensions lie within their intervals.
 
-use linkage_core::SolveError;
+use std::error::Error;
 
 use super::fit::calibrate;
 use super::machine::{Dimensions, UNKNOWNS};
@@ -8,7 +8,10 @@ use super::measurement::measure;
 
 /// For each dimension, the number of calibrations whose interval holds the true one. Every
 /// calibration has a measurement of its own.
-pub(crate) fn held(built: Dimensions, calibrations: u64) -> Result<[u32; UNKNOWNS], SolveError> {
+pub(crate) fn held(
+    built: Dimensions,
+    calibrations: u64,
+) -> Result<[u32; UNKNOWNS], Box<dyn Error>> {
     let mut held = [0; UNKNOWNS];
     for seed in 0..calibrations {
         let found = calibrate(&measure(built, 1000 + seed)?)?;

@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use linkage_core::{SolveError, mechanism};
+use linkage_core::{Real, SolveError, mechanism};
 
 mechanism! {
     /// A crank-rocker and a pointer on the rocker's pivot that turns as wanted.
@@ -54,13 +54,6 @@ mechanism! {
 /// Lengths of coupler and rocker, in units of the crank.
 pub(crate) type Lengths = [f64; 2];
 
-/// A number and its derivatives by the two lengths.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Sloped {
-    pub(crate) value: f64,
-    pub(crate) slope: Lengths,
-}
-
 /// The crank's angle past the limit at each of the 30 steps.
 pub(crate) fn steps() -> impl Iterator<Item = f64> {
     (1..=30).map(|step| FRAC_PI_2 * f64::from(step) / 30.0)
@@ -76,26 +69,6 @@ pub(crate) fn error([coupler, rocker]: Lengths, turn: f64) -> Result<f64, SolveE
     Ok(FunctionGenerator { coupler, rocker }.position(turn)?.error.angle())
 }
 
-/// The sum of squared errors over all steps.
-pub(crate) fn objective(lengths: Lengths) -> Result<f64, SolveError> {
-    steps().map(|turn| Ok(error(lengths, turn)?.powi(2))).sum()
-}
-
-/// The objective with its exact gradient.
-pub(crate) fn sloped_objective([coupler, rocker]: Lengths) -> Result<Sloped, SolveError> {
-    let generator = FunctionGenerator { coupler, rocker };
-    let mut sum = Sloped { value: 0.0, slope: [0.0; 2] };
-    for turn in steps() {
-        let error = generator.position(turn)?.error.angle();
-        let slopes = generator.sensitivity(turn)?;
-        sum.value += error * error;
-        for length in 0..2 {
-            sum.slope[length] += 2.0 * error * slopes[(0, length)];
-        }
-    }
-    Ok(sum)
-}
-
 /// The transmission angle has its extremes where the crank lies along the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Limit {
@@ -108,34 +81,21 @@ pub(crate) enum Limit {
 impl Limit {
     pub(crate) const BOTH: [Self; 2] = [Self::Least, Self::Largest];
 
-    fn crank_angle(self) -> f64 {
-        match self {
+    /// The transmission angle there.
+    pub(crate) fn angle<T: Real>(self, bars: &Transmission<T>) -> Result<T, SolveError> {
+        let crank = match self {
             Self::Least => 0.0,
             Self::Largest => PI,
-        }
-    }
-
-    /// The transmission angle there.
-    pub(crate) fn angle(self, [coupler, rocker]: Lengths) -> Result<f64, SolveError> {
-        let bars = Transmission { coupler, rocker };
-        Ok(bars.position(self.crank_angle())?.transmission.angle())
+        };
+        Ok(bars.position(T::num(crank))?.transmission.angle())
     }
 
     /// The excess of the transmission angle over its limit: an optimum has at most zero.
-    pub(crate) fn excess(self, lengths: Lengths) -> Result<f64, SolveError> {
-        let angle = self.angle(lengths)?;
+    pub(crate) fn excess<T: Real>(self, bars: &Transmission<T>) -> Result<T, SolveError> {
+        let angle = self.angle(bars)?;
         Ok(match self {
-            Self::Least => FRAC_PI_4 - angle,
-            Self::Largest => angle - 3.0 * FRAC_PI_4,
+            Self::Least => T::num(FRAC_PI_4) - angle,
+            Self::Largest => angle - T::num(3.0 * FRAC_PI_4),
         })
-    }
-
-    /// The excess with its exact gradient.
-    pub(crate) fn sloped_excess(self, lengths: Lengths) -> Result<Sloped, SolveError> {
-        let [coupler, rocker] = lengths;
-        let slopes = Transmission { coupler, rocker }.sensitivity(self.crank_angle())?;
-        let sign = if self == Self::Least { -1.0 } else { 1.0 };
-        let slope = [sign * slopes[(0, 0)], sign * slopes[(0, 1)]];
-        Ok(Sloped { value: self.excess(lengths)?, slope })
     }
 }

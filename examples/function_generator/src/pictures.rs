@@ -10,8 +10,8 @@ use charts::{BLACK, COLOURS, Curve, GREY, Panel};
 
 type Points = Vec<(f64, f64)>;
 
-pub(crate) fn draw(outcomes: &[[Outcome; 2]]) -> Result<(), SolveError> {
-    let found = outcomes[0][0].lengths;
+pub(crate) fn draw(outcomes: &[Outcome]) -> Result<(), SolveError> {
+    let found = outcomes[0].lengths();
     charts::write(
         "function_generator",
         "Crank-rocker that generates a parabola",
@@ -49,8 +49,8 @@ fn errors(found: Lengths) -> Result<Panel, SolveError> {
 }
 
 /// The distance of the best lengths so far from the optimum, by evaluation.
-fn convergence(outcomes: &[[Outcome; 2]]) -> Panel {
-    let optimum = outcomes[0][0].lengths;
+fn convergence(outcomes: &[Outcome]) -> Panel {
+    let optimum = outcomes[0].lengths();
     let distances = |outcome: &Outcome| -> Points {
         let away = |lengths: Lengths| {
             (lengths[0] - optimum[0]).hypot(lengths[1] - optimum[1]).max(1e-9).log10()
@@ -60,19 +60,18 @@ fn convergence(outcomes: &[[Outcome; 2]]) -> Panel {
             .map(|(count, step)| (f64::from(count), away(step.lengths)))
             .collect()
     };
-    let names = ["slsqp, exact gradients", "cobyla, none"];
-    let axes = ["evaluations of the objective", "log₁₀ of the distance from the optimum"];
-    let curves = by_method(outcomes, names, distances);
+    let axes = ["evaluations", "log₁₀ of the distance from the optimum"];
+    let curves = by_start(outcomes, distances);
     Panel::over("Convergence from six starts", axes, curves)
 }
 
 /// The lengths that the searches went through, and the limit of the transmission angle.
-fn paths(outcomes: &[[Outcome; 2]]) -> Panel {
+fn paths(outcomes: &[Outcome]) -> Panel {
     let path = |outcome: &Outcome| -> Points {
         outcome.steps.iter().map(|step| (step.lengths[0], step.lengths[1])).collect()
     };
     let mut curves = vec![Curve::named("transmission angle 135°", BLACK, limit())];
-    curves.extend(by_method(outcomes, ["slsqp", "cobyla"], path));
+    curves.extend(by_start(outcomes, path));
     Panel::plane("Lengths tried", ["coupler in cranks", "rocker in cranks"], curves)
 }
 
@@ -83,21 +82,11 @@ fn limit() -> Points {
     (0..=75).map(|step| 3.25 + f64::from(step) * 0.025).map(|l| (l, rocker(l))).collect()
 }
 
-/// A curve for every search; each method has a colour, and its first curve the name.
-fn by_method(
-    outcomes: &[[Outcome; 2]],
-    names: [&str; 2],
-    points: impl Fn(&Outcome) -> Points,
-) -> Vec<Curve> {
-    let mut curves = Vec::new();
-    for (method, colour) in [(1, COLOURS[1]), (0, COLOURS[0])] {
-        for (start, found) in outcomes.iter().enumerate() {
-            let points = points(&found[method]);
-            curves.push(match start {
-                0 => Curve::named(names[method], colour, points),
-                _ => Curve::line(colour, &points),
-            });
-        }
-    }
-    curves
+/// A curve for every search; the first has the name.
+fn by_start(outcomes: &[Outcome], points: impl Fn(&Outcome) -> Points) -> Vec<Curve> {
+    let curve = |(start, outcome): (usize, &Outcome)| match start {
+        0 => Curve::named("slsqp, exact slopes", COLOURS[0], points(outcome)),
+        _ => Curve::line(COLOURS[0], &points(outcome)),
+    };
+    outcomes.iter().enumerate().map(curve).collect()
 }

@@ -31,10 +31,10 @@ pub struct Design<'a, M, F, const N: usize> {
 }
 
 impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
-    /// The parameters of these names, whose declared values are the first start; `on_duals` and `on_numbers`
-    /// make the machine. [`free!`](crate::free) writes all of them.
+    /// The parameters of these names and units, whose declared values are the first start; `on_duals` and
+    /// `on_numbers` make the machine. [`free!`](crate::free) writes all of them.
     pub fn new(
-        parameters: [&'static str; N],
+        parameters: [(&'static str, &'static str); N],
         declared: [f64; N],
         on_duals: impl Fn([Dual<N>; N]) -> M + Send + Sync + 'a,
         on_numbers: impl Fn([f64; N]) -> F + Send + Sync + 'a,
@@ -44,7 +44,8 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
             if value < 0.0 { [ends[1], ends[0]] } else { ends }
         });
         let problem = Problem {
-            parameters,
+            parameters: parameters.map(|named| named.0),
+            units: parameters.map(|named| named.1),
             declared,
             ranges,
             on_duals: Box::new(on_duals),

@@ -46,6 +46,13 @@ pub enum DesignError {
         /// Names of the parameters.
         parameters: Vec<&'static str>,
     },
+    /// No reaction and no link has that name.
+    Unknown {
+        /// The name that was asked for.
+        name: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
 }
 
 impl fmt::Display for DesignError {
@@ -68,6 +75,10 @@ impl fmt::Display for DesignError {
             }
             Self::NotANumber { of, at } => {
                 write!(f, "`{of}` is not a finite number at {at}")
+            }
+            Self::Unknown { name, known } => {
+                write!(f, "there is no `{name}`; there are ")?;
+                list(f, known, |f, name| write!(f, "`{name}`"))
             }
             Self::Undetermined { parameters } => {
                 f.write_str("the aims do not determine ")?;

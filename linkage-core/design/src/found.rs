@@ -56,6 +56,8 @@ pub struct Found<F, const N: usize> {
     pub solver: F,
     /// Names of the free parameters.
     pub parameters: [&'static str; N],
+    /// Their base units, `m`, `rad` or none.
+    pub units: [&'static str; N],
     /// Their values.
     pub values: [f64; N],
     /// The sum of squares of the residuals.
@@ -121,6 +123,7 @@ impl<F, const N: usize> Found<F, N> {
         Ok(Self {
             solver: (problem.on_numbers)(parameters),
             parameters: problem.parameters,
+            units: problem.units,
             values: parameters,
             cost: best.cost,
             kuhn_tucker: optimality.residual,
@@ -241,12 +244,14 @@ fn null_space(matrix: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 impl<F, const N: usize> fmt::Display for Found<F, N> {
-    /// The parameters in metres and radians, with deviations where they exist, and what limits them.
+    /// The lines of the declaration, with deviations where they exist, and what limits them.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, name) in self.parameters.iter().enumerate() {
-            write!(f, "{name} = {:.9}", self.values[i])?;
+            write!(f, "param {name} = {:.9}{};", self.values[i], self.units[i])?;
             match self.deviations {
-                Some(deviations) if deviations[i] > 0.0 => writeln!(f, " ± {:.1e}", deviations[i])?,
+                Some(deviations) if deviations[i] > 0.0 => {
+                    writeln!(f, " // ± {:.1e}", deviations[i])?;
+                }
                 _ => writeln!(f)?,
             }
         }

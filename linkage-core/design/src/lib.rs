@@ -45,15 +45,23 @@
 //! # Ok::<(), linkage_design::DesignError>(())
 //! ```
 //!
+//! The [manual] goes from a question to a drawing, and on to the tolerances of it.
+//!
 //! # The search
 //!
 //! Starts are drawn at random within the ranges, or are the best of many cheap [draws](Design::draws). From each
-//! of them sequential quadratic programming ([`Slsqp`], behind the trait [`Kernel`]) goes to an optimum. A pose
+//! of them sequential quadratic programming ([`Slsqp`], behind the trait [`Kernel`]) goes to an optimum; a calibration,
+//! which keeps nothing and has small residuals, is faster by [`LeastSquares`]. A pose
 //! that is refused is a rejected step. Each draw and each start has a stream of random numbers of its own, so
 //! that the result is the same bits with one [thread](Design::threads) and with several.
 //!
 //! The answer says what is at its limit and its [price](Price), how far each parameter is
 //! [determined](Found::deviations), and which are left open.
+//!
+//! # Tolerances
+//!
+//! [`Reactions`] to a unit load on an output are its sensitivities to every dimension and to play in every joint, and
+//! [`Tolerance`] makes of them a worst case, a standard deviation and a table by share.
 
 mod design;
 mod error;
@@ -61,16 +69,20 @@ mod follows;
 mod found;
 mod guards;
 mod kernel;
+mod least_squares;
+pub mod manual;
 mod mend;
 mod nearest;
 mod optimality;
 mod placed;
 mod problem;
 mod random;
+mod reactions;
 mod rows;
 mod search;
 mod starts;
 mod targets;
+mod tolerance;
 mod verdict;
 
 pub use design::Design;
@@ -78,24 +90,32 @@ pub use error::DesignError;
 pub use follows::{Follows, Pose};
 pub use found::{Counts, Found, Other, Price};
 pub use kernel::{Evaluation, Goal, Kernel, Slsqp};
+pub use least_squares::LeastSquares;
 pub use placed::{Placement, placement};
+pub use reactions::Reactions;
 pub use rows::{Dual, Rows};
 pub use search::{Progress, Stage};
+pub use tolerance::{Contribution, Drawn, Tolerance};
 pub use verdict::{Confirmed, Verdict};
 
-/// The parameters of a machine that a design may change: `free!(Press: rod, crank)`.
+/// The parameters of a machine that a design may change: `free!(Press: rod, crank, start: angle)`.
 ///
-/// The declared values are the first start. Parameters that are not named, and modes, are those of a machine
-/// that may be given: `free!(Press: rod, crank; of press)`.
+/// A parameter is a length unless it is said to be an `angle` or a `number`: in that unit its line of the
+/// declaration is printed. The declared values are the first start. Parameters that are not named, and modes,
+/// are those of a machine that may be given: `free!(Press: rod, crank; of press)`.
 #[macro_export]
 macro_rules! free {
-    ($machine:ident: $($parameter:ident),+ $(,)?) => {
-        $crate::free!($machine: $($parameter),+; of $machine::new())
+    (@unit) => { "m" };
+    (@unit length) => { "m" };
+    (@unit angle) => { "rad" };
+    (@unit number) => { "" };
+    ($machine:ident: $($parameter:ident $(: $kind:ident)?),+ $(,)?) => {
+        $crate::free!($machine: $($parameter $(: $kind)?),+; of $machine::new())
     };
-    ($machine:ident: $($parameter:ident),+; of $declared:expr) => {{
+    ($machine:ident: $($parameter:ident $(: $kind:ident)?),+; of $declared:expr) => {{
         let declared: $machine = $declared;
         $crate::Design::new(
-            [$(stringify!($parameter)),+],
+            [$((stringify!($parameter), $crate::free!(@unit $($kind)?))),+],
             [$(declared.$parameter),+],
             #[allow(clippy::needless_update, reason = "all parameters may be free")]
             move |[$($parameter),+]| $machine { $($parameter,)+ ..declared.lift() },

@@ -15,6 +15,8 @@ type Reach<'a, M, const N: usize> = Box<dyn Fn(&M, &mut Vec<Dual<N>>) + Send + S
 /// All that a search asks, from any thread.
 pub(crate) struct Problem<'a, M, F, const N: usize> {
     pub(crate) parameters: [&'static str; N],
+    /// The base unit of each.
+    pub(crate) units: [&'static str; N],
     pub(crate) declared: [f64; N],
     pub(crate) ranges: [[f64; 2]; N],
     pub(crate) on_duals: Build<'a, Dual<N>, M, N>,

@@ -83,7 +83,7 @@ fn timed() -> impl Iterator<Item = (f64, [f64; 2])> {
 /// The design of a placed path, a crank of one.
 macro_rules! placed {
     () => {
-        free!(Coupler: b, c, d, px, py, start)
+        free!(Coupler: b, c, d, px, py, start: angle)
             .within([
                 0.2..=20.0,
                 0.2..=20.0,
@@ -203,7 +203,7 @@ fn five_poses_of_a_hidden_four_bar_are_passed() {
         let angle = (at.Q.y - at.P.y).atan2(at.Q.x - at.P.x);
         Pose { x: at.P.x, y: at.P.y, angle }
     });
-    let found = free!(Coupler: x, y, d, tilt, a, b, c, px, py, turned)
+    let found = free!(Coupler: x, y, d, tilt: angle, a, b, c, px, py, turned: angle)
         .within([
             -6.0..=6.0,
             -6.0..=6.0,

@@ -122,7 +122,7 @@ fn within_45_degrees<const N: usize>(m: &Freer<Dual<N>>) -> [Dual<N>; 4] {
 
 #[test]
 fn five_free_numbers_are_worth_six_times_as_much() {
-    let found = free!(Freer: crank, coupler, rocker, start, zero)
+    let found = free!(Freer: crank, coupler, rocker, start: angle, zero: angle)
         .within([0.5..=2.0, 2.0..=10.0, 1.0..=10.0, -PI..=PI, -PI..=PI])
         .aim("parabola", steps(0), |machine, turn| {
             Ok([machine.position(turn.into())?.error.angle()])
@@ -135,6 +135,9 @@ fn five_free_numbers_are_worth_six_times_as_much() {
     println!("{found}");
     assert!((found.cost - 0.001_171_61).abs() < 5e-9, "{}", found.cost);
     assert!(found.kuhn_tucker < 1e-6, "{}", found.kuhn_tucker);
+    let lines = found.to_string();
+    assert!(lines.starts_with("param crank = 0.543282475m; // ± "), "{lines}");
+    assert!(lines.contains("param start = 0.045221891rad;"), "{lines}");
     assert!(
         found.prices.iter().any(|price| price.at.starts_with("transmission") && price.price > 0.0)
     );

@@ -3,14 +3,13 @@
 use linkage_core::Side;
 
 use super::{
-    Alignment, DIMENSIONS, LIMITS, POSES, RESIDUALS, Remainder, VARIED, four_bar, free, of_curve,
-    refined,
+    Alignment, DIMENSIONS, LIMITS, POSES, RANGE, RESIDUALS, Remainder, VARIED, four_bar, free,
+    of_curve, refined,
 };
 use crate::four_bar::{Dimensions, FourBar, Tracer};
 use crate::grid::Grid;
 use crate::search;
 use crate::shape::{Complex, Describer, Descriptor, HARMONICS};
-use basin::{Jacobian as _, Residual as _};
 
 /// A curve of no symmetry, between the nodes of the grid.
 const KNOWN: Dimensions = Dimensions {
@@ -94,18 +93,21 @@ fn the_jacobian_is_the_limit_of_differences() {
     let free = free(&KNOWN).expect("it is within the limits");
     for alignment in alignments() {
         let remainder = Remainder { path: &path, alignment };
-        let varied = [&free[..], &[0.3, 0.2]].concat();
-        let slopes = remainder.jacobian(&varied).expect("it is assembled");
+        let [a, b, c, d, e] = free;
+        let varied = [a, b, c, d, e, 0.3, 0.2];
+        // In numbers from 0 to 1, of which each stands for a range of angles.
+        let slopes =
+            remainder.evaluated(varied, true).expect("it is assembled").aims.slopes / RANGE;
         for column in 0..VARIED {
             let at = |step: f64| {
-                let mut varied = varied.clone();
+                let mut varied = varied;
                 varied[column] += step;
-                remainder.residual(&varied).expect("it is assembled")
+                remainder.evaluated(varied, false).expect("it is assembled").aims.values
             };
             let h = 1e-5;
-            for (row, (more, less)) in at(h).iter().zip(at(-h)).enumerate() {
+            for (row, (more, less)) in at(h).iter().zip(at(-h).iter()).enumerate() {
                 let difference = (more - less) / (2.0 * h);
-                let slope = slopes.get(row, column);
+                let slope = slopes[(row, column)];
                 // h²/6 of a third derivative of up to 12³, and roundings of 1e-14 over 2h.
                 let slack = h * h / 6.0 * (HARMONICS as f64).powi(3) + 1e-14 / h;
                 assert!((slope - difference).abs() < slack, "{row} {column}: {slope} {difference}");
@@ -124,9 +126,10 @@ fn the_remainder_is_the_distance() {
         let (square, alignment) = path.aligned(&curve);
         let psi = alignment.turn.im.atan2(alignment.turn.re);
         let free = free(&dimensions).expect("it is within the limits");
-        let varied = [&free[..], &[psi, alignment.shift]].concat();
-        let left = Remainder { path: &path, alignment }.residual(&varied).expect("it is assembled");
-        let sum: f64 = left.iter().map(|left| left * left).sum();
+        let [a, b, c, d, e] = free;
+        let remainder = Remainder { path: &path, alignment };
+        let at = remainder.evaluated([a, b, c, d, e, psi, alignment.shift], false);
+        let sum = at.expect("it is assembled").cost();
         assert!((sum - square).abs() < 1e-13, "{sum} {square}");
     }
 }
