@@ -109,6 +109,7 @@ pub mod language {
     //! [figures]: super::figures
     //! [forces]: super::forces
     //! [measurements]: super::measurements
+    //! [parallelogram]: super::recipes#a-parallelogram
     //! [`extrema`]: crate::range::extrema()
     //! [`limits`]: crate::range::limits()
     //! [`Tracker`]: crate::Tracker

@@ -58,6 +58,11 @@ fn anchor(heading: &str) -> String {
     heading.chars().filter_map(letter).collect()
 }
 
+/// Those of a page's headings.
+fn anchors(text: &str) -> Vec<String> {
+    text.lines().filter(|line| line.starts_with('#')).map(anchor).collect()
+}
+
 #[test]
 fn links_lead_somewhere_in_the_repository_and_in_the_documentation() {
     let modules = read("src/reference.rs");
@@ -79,10 +84,18 @@ fn links_lead_somewhere_in_the_repository_and_in_the_documentation() {
         let files = definitions(&text);
         assert_eq!(items.keys().collect::<Vec<_>>(), files.keys().collect::<Vec<_>>(), "{file}");
         for (name, target) in &files {
-            assert!(Path::new(HERE).join("docs").join(target).exists(), "{file}: {name}: {target}");
+            let (path, heading) = target.split_once('#').unwrap_or((target, ""));
+            assert!(Path::new(HERE).join("docs").join(path).exists(), "{file}: {name}: {target}");
+            let has_it =
+                || anchors(&prose(&read(&format!("docs/{path}")))).contains(&heading.into());
+            assert!(heading.is_empty() || has_it(), "{file}: {name}: {target}");
+            let item = &items[name];
+            assert!(
+                !target.contains(".md#") || item.ends_with(&format!("#{heading}")),
+                "{file}: {name}: {item}"
+            );
         }
-        let anchors: Vec<_> =
-            text.lines().filter(|line| line.starts_with('#')).map(anchor).collect();
+        let anchors = anchors(&text);
         for target in text.split("](").skip(1).map(|behind| behind.split(')').next()) {
             let target = target.expect("a split gives something");
             let inside = target.strip_prefix('#').map(str::to_string);
