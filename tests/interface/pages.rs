@@ -81,30 +81,3 @@ fn what_is_to_be_written_into_a_manifest_is_understood() {
     assert!(seen >= 2, "README and the page on control code have one each");
     let _ = fs::remove_dir_all(folder);
 }
-
-/// C code compiles against the header, wherever a C compiler is.
-#[test]
-fn what_is_shown_in_c_compiles() {
-    let blocks = blocks("c");
-    assert!(!blocks.is_empty(), "README has one");
-    if Command::new("cc").arg("--version").output().is_err() {
-        println!("skipped: no C compiler");
-        return;
-    }
-    let folder = folder("c");
-    fs::write(folder.join("flying_shear.h"), FlyingShear::C_HEADER).expect("it can be written");
-    // Whole programs are typed and run by the tests of the program that prints C.
-    for (page, block) in blocks.iter().filter(|(_, block)| !block.contains("int main(")) {
-        let program = format!(
-            "#include \"flying_shear.h\"\nvoid feed(double speed);\nvoid stop(const char *group, size_t length, double by);\nvoid cycle(double theta);
-             void cycle(double theta) {{\n{block}\n}}\n"
-        );
-        let path = folder.join("shown.c");
-        fs::write(&path, program).expect("it can be written");
-        let mut cc = Command::new("cc");
-        cc.args(["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-fsyntax-only"])
-            .arg(&path);
-        succeeds(&mut cc).unwrap_or_else(|error| panic!("{}\n{block}\n{error}", page.display()));
-    }
-    let _ = fs::remove_dir_all(folder);
-}

@@ -79,6 +79,43 @@ fn the_readme_shows_what_comes_out() {
     typed("linkage report shear.rs --within 1um --width f32", &folder);
 }
 
+/// The first hour in C: the printed controller, a machine of the reader's own, and its proof. The program that the page
+/// installs is the one that is tested.
+#[cfg(unix)]
+#[test]
+fn the_start_in_c_can_be_followed() {
+    if Command::new("cc").arg("--version").output().is_err() {
+        return skipped::skipped("the start in C: no cc");
+    }
+    let root =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().expect("it is there");
+    let page = fs::read_to_string(root.join("linkage-core/docs/start_in_c.md"))
+        .expect("the page is there");
+    let folder = empty_folder("start_in_c");
+    std::os::unix::fs::symlink(&root, folder.join("linkage")).expect("a link can be made");
+    let mut steps = 0;
+    for (language, block) in blocks(&page) {
+        match language {
+            "text" if block.starts_with("mechanism!") => {
+                fs::write(folder.join("press.rs"), block).unwrap()
+            }
+            "c" => fs::write(folder.join("main.c"), block).unwrap(),
+            "console" => {
+                for step in
+                    block.split("$ ").skip(1).filter(|step| !step.starts_with("cargo install "))
+                {
+                    let (line, shown) = step.split_once('\n').expect("a line is typed");
+                    let printed = typed(line, &folder);
+                    assert!(shown == "…\n" || printed == shown, "{line}\n{printed}");
+                    steps += 1;
+                }
+            }
+            _ => {}
+        }
+    }
+    assert_eq!(steps, 7, "{page}");
+}
+
 #[test]
 fn the_page_for_c_can_be_followed() {
     if Command::new("cc").arg("--version").output().is_err() {
