@@ -76,6 +76,35 @@ const AROUND: [Around; 6] = [
     ),
 ];
 
+const FIVE_BAR: &str = "ground A(-50mm, 0), E(50mm, 0);
+    pin B(-120mm, 90mm), D(120mm, 90mm), tool(0, 200mm);
+    link AB(A, B), ED(E, D), BC(B, tool), CD(D, tool);";
+
+/// The lines of the block that shows quantities as inputs, and a machine for each.
+const QUANTITIES: [(&str, &str); 4] = [
+    ("input a = AB.angle, b = ED.angle;", FIVE_BAR),
+    ("input x = tool.x, y = tool.y;", FIVE_BAR),
+    (
+        "input lift = distance(F, G);",
+        "ground A(1m, 0), F(0, 0); pin G(800mm, 700mm); link arm(A, G);",
+    ),
+    (
+        "input opening = 2 * tip.y, knee = shank.angle + 90deg;",
+        "ground H(0, 0); pin K(50mm, -400mm), tip(250mm, -430mm); link shank(H, K), foot(K, tip);",
+    ),
+];
+
+#[test]
+fn quantities_of_the_page_drive_a_machine() {
+    let lines: Vec<&str> = QUANTITIES.iter().map(|(line, _)| *line).collect();
+    let block = format!("```text\n{}\n```", lines.join("\n"));
+    assert!(page("linkage-core/docs/language.md").contains(&block), "{block}");
+    for (line, machine) in QUANTITIES {
+        let mistakes = diagnostics(&format!("{machine} {line}"));
+        assert!(mistakes.is_empty(), "{line}: {mistakes:?}");
+    }
+}
+
 #[test]
 fn parts_of_declarations_compile() {
     let mut seen = 0;
@@ -87,6 +116,7 @@ fn parts_of_declarations_compile() {
                 || block.starts_with("error: ")
                 || block.starts_with("cargo ")
                 || block.starts_with("mechanism! {")
+                || block.starts_with(QUANTITIES[0].0)
             {
                 continue;
             }
