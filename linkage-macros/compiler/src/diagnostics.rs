@@ -93,6 +93,11 @@ impl Extent {
         Self { first, last }
     }
 
+    /// The bytes of the source.
+    pub(crate) fn bytes(self) -> std::ops::Range<usize> {
+        self.first.byte_range().start..self.last.byte_range().end
+    }
+
     /// From the first token of this to the last of the other.
     pub(crate) fn to(self, end: Self) -> Self {
         Self { first: self.first, last: end.last }

@@ -20,6 +20,7 @@
 //! | `function` | the functions that expressions call, a row each | compute |
 //! | `exact` | real constants without error, rounded once | |
 //! | `syntax` | tokens and spans into a tree | resolve a name |
+//! | `written_places` | where the places of points are written, for editors | |
 //! | `reach` | what constant dimensions say before anything is solved, exactly | know a mechanism |
 //! | `chain` | a machine as it is drawn, cut into drivers and groups by counting freedoms | know a name, write a message |
 //! | `model` | names into ids, dimensions, one function a rule | know how a mechanism is solved |
@@ -84,6 +85,7 @@ mod prove;
 mod reach;
 mod report;
 mod syntax;
+mod written_places;
 
 pub use blocks::declarations;
 pub use codegen::drawn_plan::{PlanMember, PlanParts, PlanSpring, PlanStatement};
@@ -98,3 +100,4 @@ pub use report::{
     BoundReport, EntryReport, LimitReport, OperationsReport, RangeReport, Report, ReportOptions,
     ResultReport, TransmissionReport,
 };
+pub use written_places::{WrittenPlace, places};

@@ -1,15 +1,28 @@
 // Declare, drag, take along: the text at the left, its machine at the right, the compiler beside both.
 
 const $ = (selector) => document.querySelector(selector);
-const area = $("textarea"), painted = $("#editor pre"), list = $("#messages"), stage = $("#stage");
+const area = $("#editor textarea"), painted = $("#editor pre"), list = $("#messages"), stage = $("#stage");
 const MACHINES = {{machines}};
-const CHECK = 0;
+const CHECK = 0, IMPORT = 5;
 const say = (text) => $("#status").textContent = text;
 
 // ---- the compiler -----------------------------------------------------------------------------------
 
-const inflated = async (base64) => {
-  const zipped = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+/// Five letters are four bytes; none of them is `<`.
+const LETTERS = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&,>()[]{}@%$#";
+const bytesOf = (text) => {
+  const value = new Uint8Array(128), length = Math.floor((text.length * 4) / 5), bytes = new Uint8Array(length + 4), all = new DataView(bytes.buffer);
+  [...LETTERS].forEach((letter, k) => value[letter.charCodeAt(0)] = k);
+  for (let k = 0, at = 0; k < text.length; k += 5, at += 4) {
+    let word = 0;
+    // Letters that are left out at the end are the last one.
+    for (let n = k; n < k + 5; n++) word = word * 85 + (n < text.length ? value[text.charCodeAt(n)] : 84);
+    all.setUint32(at, word);
+  }
+  return bytes.subarray(0, length);
+};
+const inflated = async (text) => {
+  const zipped = bytesOf(text);
   return new Response(new Blob([zipped]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 };
 
@@ -116,7 +129,7 @@ let known = "", lastKind = "", lastTime = -Infinity;
 /// Notes a change: what is typed, or slid, in one go is one step.
 const note = (kind) => {
   const time = performance.now();
-  if (kind !== lastKind || time - lastTime > 700) past.push(known);
+  if (kind !== lastKind || (time - lastTime > 700 && !kind.startsWith("move"))) past.push(known);
   [lastKind, lastTime, known] = [kind, time, area.value];
   future.length = 0;
 };
@@ -126,6 +139,7 @@ const step = (from, to) => {
   area.value = known = from.pop();
   lastKind = "";
   check();
+  say(from === past ? "undone" : "done again");
 };
 const set = (text, kind) => {
   if (text === area.value) return;
@@ -148,7 +162,8 @@ let front = 0, state = "", good = null, began = 0;
 /// The page with what its reader had set.
 const withState = (page) => {
   const kept = JSON.stringify(state).replaceAll("<", "\\u003c");
-  return page.replace("<script>", () => `<script>globalThis.STATE = ${kept};</script><script>`);
+  const begun = page.replace("<script>", () => `<script>globalThis.STATE = ${kept};${isMoving ? `globalThis.MOVED = ${JSON.stringify({ view: held && seen?.view })};` : ""}</script><script>`);
+  return isMoving ? `${begun}<script>${$("#moved").textContent}</script>` : begun;
 };
 
 const check = async () => {
@@ -158,6 +173,7 @@ const check = async () => {
   if (text !== area.value || (!found && !broken)) return;
   if (broken) return tell([{ message: `the compiler failed on this text: ${broken}`, level: "error", from: 0, to: 1 }]);
   tell(found.messages);
+  showPlaces(found.places ?? [], text);
   stage.classList.toggle("old", !found.page);
   if (!found.page) return;
   [good, began] = [found, begun];
@@ -174,6 +190,11 @@ const written = (name, value) => {
   return text;
 };
 
+const isNumbers = (list, count) => Array.isArray(list) && list.length === count && list.every(Number.isFinite);
+/// What a frame says is numbers and names, whoever wrote its text.
+const isSeen = ({ view, origin, scale, points, frames }) => isNumbers(origin, 2) && scale > 0
+  && isNumbers(Object.values(view ?? {}), 5) && Object.values(points ?? {}).every((at) => at === null || isNumbers(at, 2))
+  && Object.values(frames ?? {}).every(({ at, cos, sin }) => isNumbers(at, 2) && isNumbers([cos, sin], 2));
 addEventListener("message", ({ data, source }) => {
   const nth = frames.findIndex((frame) => frame.contentWindow === source);
   if (nth < 0 || typeof data !== "object" || data === null) return;
@@ -183,6 +204,10 @@ addEventListener("message", ({ data, source }) => {
     say(`${Math.round(performance.now() - began)} ms`);
   }
   if (nth !== front) return;
+  if (data.kind === "places" && isMoving && isSeen(data)) {
+    seen = data;
+    showHandles();
+  }
   if (data.kind === "state" && typeof data.text === "string") state = data.text;
   if (data.kind === "default" && /^[\p{L}_][\p{L}\p{N}_]*$/u.test(data.name) && /^[-\w.()*/^·²³ ]{1,40}$/u.test(data.value)) {
     // The text says it from now on.
@@ -222,7 +247,7 @@ const save = (name, data, type) => {
   Object.assign(document.createElement("a"), { href, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(href), 1000);
 };
-const FILES = { 1: ["_c.zip", "application/zip"], 2: [".fmu", "application/zip"], 3: [".rs", "text/plain"], 0: [".html", "text/html"] };
+const FILES = { 4: ["_all.zip", "application/zip"], 1: ["_c.zip", "application/zip"], 2: [".fmu", "application/zip"], 3: [".rs", "text/plain"], 0: [".html", "text/html"] };
 for (const button of document.querySelectorAll("[data-task]")) {
   button.onclick = async () => {
     const task = +button.dataset.task, [ending, type] = FILES[task];
@@ -280,6 +305,39 @@ const take = async () => {
   return text ?? null;
 };
 
+// ---- machines of others ------------------------------------------------------------------------------
+
+/// A text that is no declaration but one of another program.
+const FOREIGN = /^\s*(https?:\/\/\S+\?|\?|\{|M\[)/;
+/// Takes it in place of the text; what is wrong with it is returned.
+const convert = async (source) => {
+  const { found } = await ask(source, IMPORT);
+  if (!found?.text) return found?.mistake ?? "this cannot be read";
+  state = "";
+  set(found.text, "import");
+  say("it is a declaration now");
+  return null;
+};
+area.addEventListener("paste", (event) => {
+  const source = event.clipboardData.getData("text");
+  if (!FOREIGN.test(source)) return;
+  event.preventDefault();
+  convert(source).then((mistake) => mistake && say(mistake));
+});
+const dialog = $("#foreign");
+$("#import").onclick = () => {
+  dialog.querySelector(".error").textContent = "";
+  dialog.showModal();
+};
+$("#convert").onclick = async () => {
+  const mistake = await convert($("#source").value);
+  dialog.querySelector(".error").textContent = mistake ?? "";
+  if (mistake === null) dialog.close();
+};
+$("#close").onclick = () => dialog.close();
+dialog.querySelector("[type=file]").onchange = async ({ target }) => $("#source").value = (await target.files[0]?.text()) ?? "";
+
+{{move}}
 // ---- beginning --------------------------------------------------------------------------------------
 
 MACHINES.forEach(([name], k) => $("#machines").add(new Option(name, k)));

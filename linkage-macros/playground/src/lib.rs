@@ -4,11 +4,13 @@
 //! a length of four bytes and as many bytes, `forget(address)` frees an answer. There are no imports: no clock, no file,
 //! no thread.
 
+#[path = "../../command/src/import/converted.rs"]
+mod converted;
 #[path = "../../command/src/zip.rs"]
 #[expect(dead_code, reason = "the program compares archives as well")]
 mod zip;
 
-use linkage_compiler::{Diagnostic, Level, Options, PageParts, compile, declarations};
+use linkage_compiler::{Diagnostic, Level, PageParts, WrittenPlace, declarations, places};
 use linkage_core::sketch::{Declared, Machine, Wishes, html};
 use proc_macro2::{LexError, Span, TokenStream};
 use serde_json::{Value, json};
@@ -19,8 +21,12 @@ pub const CHECK: u32 = 0;
 pub const C: u32 = 1;
 /// The FMU, in an archive.
 pub const FMU: u32 = 2;
-/// The Rust code of the declaration.
+/// The program in Rust that declares the machine.
 pub const RUST: u32 = 3;
+/// All of these, the page and the text in one archive.
+pub const ALL: u32 = 4;
+/// A machine of PMKS+, pylinkage or pyslvs as a declaration.
+pub const IMPORT: u32 = 5;
 
 /// Room for a text.
 #[unsafe(no_mangle)]
@@ -65,25 +71,72 @@ pub fn answered(text: &str, task: u32) -> Vec<u8> {
 }
 
 fn done(text: &str, task: u32) -> Vec<u8> {
+    if task == IMPORT {
+        return imported(text).to_string().into_bytes();
+    }
     let tokens: TokenStream = match text.parse() {
         Ok(tokens) => tokens,
         Err(error) if task == CHECK => return unreadable(text, &error).to_string().into_bytes(),
         Err(_) => return Vec::new(),
     };
     let declaration = declarations(tokens.clone()).into_iter().next().unwrap_or(tokens);
-    let printed = match task {
-        CHECK => return checked(text, declaration).to_string().into_bytes(),
+    match task {
+        CHECK => checked(text, declaration).to_string().into_bytes(),
+        RUST => rust(text, declaration).into_bytes(),
+        ALL => all(text, &declaration),
+        _ => archive(&printed(declaration, task, "")),
+    }
+}
+
+fn imported(text: &str) -> Value {
+    match converted::declaration(text.trim(), &[], [None, None]) {
+        Ok(text) => json!({ "text": text }),
+        Err(mistake) => json!({ "mistake": mistake }),
+    }
+}
+
+/// Names and contents of files.
+type Files = Vec<(String, Vec<u8>)>;
+
+/// The files of a solver in C or of an FMU, in a folder; none where there are mistakes.
+fn printed(declaration: TokenStream, task: u32, folder: &str) -> Files {
+    let files = match task {
         C => linkage_compiler::c(declaration, &[], None),
-        FMU => linkage_compiler::fmu(declaration, false),
-        _ => {
-            let output = compile(declaration, &Options::default());
-            let is_clean = output.diagnostics.is_empty();
-            return if is_clean { output.tokens.to_string().into_bytes() } else { Vec::new() };
-        }
+        _ => linkage_compiler::fmu(declaration, false),
     };
-    let files = printed.unwrap_or_default().into_iter();
-    let files: Vec<_> = files.map(|file| (file.name, file.text.into_bytes())).collect();
-    if files.is_empty() { Vec::new() } else { zip::archive(&files) }
+    let files = files.unwrap_or_default().into_iter();
+    files.map(|file| (format!("{folder}{}", file.name), file.text.into_bytes())).collect()
+}
+
+/// The text as a program in Rust, where it has no mistake: Rust needs the declaration alone.
+fn rust(text: &str, declaration: TokenStream) -> String {
+    if linkage_compiler::page(declaration).is_err() {
+        return String::new();
+    }
+    let call = match text.contains("mechanism!") {
+        true => text.to_string(),
+        false => format!("mechanism! {{\n{}\n}}\n", text.trim_end()),
+    };
+    let is_whole = call.contains("linkage_core");
+    if is_whole { call } else { format!("use linkage_core::mechanism;\n\n{call}") }
+}
+
+fn archive(files: &Files) -> Vec<u8> {
+    if files.is_empty() { Vec::new() } else { zip::archive(files) }
+}
+
+/// The text, its page, its solver in every language, and its FMU.
+fn all(text: &str, declaration: &TokenStream) -> Vec<u8> {
+    let Ok(parts) = linkage_compiler::page(declaration.clone()) else { return Vec::new() };
+    let name = &parts.name;
+    let fmu = archive(&printed(declaration.clone(), FMU, ""));
+    let mut files = printed(declaration.clone(), C, "c/");
+    files.extend([
+        (format!("{name}.rs"), rust(text, declaration.clone()).into_bytes()),
+        (format!("{name}.html"), page(&parts, text).into_bytes()),
+        (format!("{name}.fmu"), fmu),
+    ]);
+    archive(&files)
 }
 
 fn unreadable(text: &str, error: &LexError) -> Value {
@@ -95,10 +148,13 @@ fn checked(text: &str, declaration: TokenStream) -> Value {
     let told = |found: &[Diagnostic]| -> Vec<Value> {
         found.iter().map(|found| message(text, found)).collect()
     };
+    let places: Vec<Value> =
+        places(declaration.clone()).iter().map(|place| written(text, place)).collect();
     match linkage_compiler::page(declaration) {
-        Err(mistakes) => json!({ "messages": told(&mistakes) }),
+        Err(mistakes) => json!({ "messages": told(&mistakes), "places": places }),
         Ok(parts) => json!({
             "messages": told(&parts.notes),
+            "places": places,
             "name": parts.name,
             "page": page(&parts, text),
         }),
@@ -126,10 +182,17 @@ fn message(text: &str, found: &Diagnostic) -> Value {
 /// about a whole declaration has no letters.
 fn told(text: &str, message: &str, help: Option<&str>, level: &str, at: [Span; 2]) -> Value {
     let [first, last] = at.map(|span| span.byte_range());
-    let letters = |at: usize| {
-        text.get(..at)
-            .map_or_else(|| text.encode_utf16().count(), |text| text.encode_utf16().count())
-    };
-    let (from, to) = (letters(first.start), letters(last.end.max(first.end)));
+    let (from, to) = (letters(text, first.start), letters(text, last.end.max(first.end)));
     json!({ "message": message, "help": help, "level": level, "from": from, "to": to.max(from) })
+}
+
+/// A place, and the letters of its two numbers.
+fn written(text: &str, place: &WrittenPlace) -> Value {
+    let numbers = place.numbers.clone().map(|at| [at.start, at.end].map(|at| letters(text, at)));
+    json!({ "name": place.name, "on": place.on, "numbers": numbers })
+}
+
+/// The letters before a byte, as JavaScript counts them.
+fn letters(text: &str, at: usize) -> usize {
+    text.get(..at).unwrap_or(text).encode_utf16().count()
 }

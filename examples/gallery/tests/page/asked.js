@@ -2,6 +2,39 @@
 // which this stands.
 
 Object.assign(STEPS_OF, {
+  /// What the declaration says of a number can be read beside it, and is told with its fields.
+  async told() {
+    const known = [...inputs, ...params, ...loads].filter(({ docs }) => docs);
+    expect(known.length > 0, "nothing is said of any number");
+    for (const { name, docs } of known) {
+      const fields = [...document.querySelectorAll(`#input_${name}, #param_${name}, #load_${name}`)].flatMap((field) => [field, $(`#${field.id}_field`)]);
+      expect(fields.length === 2, name, "has", fields.length, "fields");
+      for (const field of fields) {
+        const said = document.getElementById(field.getAttribute("aria-describedby"));
+        expect(said?.textContent === docs && said.getBoundingClientRect().height > 8, name, "is described by", said?.textContent);
+      }
+    }
+  },
+  /// On a phone picture, curves and the slider that is moved are on the screen together.
+  async strip() {
+    const isNarrow = innerWidth <= 860, box = (node) => node.getBoundingClientRect(), slides = [...document.querySelectorAll("#machine input[type=range]")].findLast((node) => node.offsetHeight > 0);
+    slides.scrollIntoView({ block: "center" });
+    slides.dispatchEvent(new Event("input", { bubbles: true }));
+    await drawn();
+    const strip = box($("#charts")), picture = box(figure), held = box(slides);
+    expect(document.body.classList.contains("sliding") === isNarrow, "a slider that is moved is not known");
+    if (isNarrow) {
+      expect(strip.height > 100 && strip.bottom <= innerHeight + 1 && strip.top < innerHeight, "the curves are at", strip.top, strip.bottom);
+      expect(Math.abs(picture.top) < 1 && picture.height > 100, "the picture is at", picture.top);
+      expect(held.top >= picture.bottom && held.bottom <= strip.top, "the slider is covered:", picture.bottom, held.top, held.bottom, strip.top);
+      expect(document.documentElement.scrollWidth <= innerWidth, "the page is wider than its window");
+    }
+    await new Promise((done) => setTimeout(done, 2200));
+    expect(!document.body.classList.contains("sliding"), "the strip stays");
+    scrollTo(0, 0);
+    $("#reset").click();
+    await drawn();
+  },
   /// Curves that are kept stand dashed beside the new ones, and the table tells the change.
   async keeps() {
     play(false);

@@ -7,11 +7,11 @@ use super::chromium::run;
 use super::hard;
 
 /// A page, the width of its window, and what is done with it.
-struct Visit {
-    name: &'static str,
-    html: String,
-    width: u32,
-    steps: &'static str,
+pub(super) struct Visit {
+    pub name: &'static str,
+    pub html: String,
+    pub width: u32,
+    pub steps: &'static str,
 }
 
 /// In virtual time a browser without a screen shows no frames of its own.
@@ -41,7 +41,7 @@ fn visited(visits: &[Visit], name: &str, flags: &[&str]) -> String {
 
 /// Opens the pages beside each other, with a script each, which is made of its steps: the start of a browser takes
 /// as long as what most of them do.
-fn scripted(
+pub(super) fn scripted(
     visits: &[Visit],
     name: &str,
     flags: &[&str],
@@ -70,7 +70,7 @@ fn page(name: &str) -> String {
 
 fn visits() -> Vec<Visit> {
     let visit = |name: &'static str, width, steps| Visit { name, html: page(name), width, steps };
-    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["touch", "B"], ["fingers", "B"], ["keys"], ["texts"], ["sliders"], ["ends"], ["typed"], ["pace"], ["address"], ["picks", "C"], ["saves"]]"#;
+    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["touch", "B"], ["fingers", "B"], ["keys"], ["texts"], ["sliders"], ["ends"], ["typed"], ["pace"], ["address"], ["picks", "C"], ["saves"], ["strip"]]"#;
     vec![
         visit("flying_shear::FlyingShear", 1280, shear),
         visit("flying_shear::FlyingShear", 360, shear),
@@ -116,7 +116,7 @@ fn visits() -> Vec<Visit> {
         visit("jansen_leg::JansenLeg", 1280, r#"[["look"], ["coupler", "foot"]]"#),
         visit("six_bar_reactions::SixBar", 1280, r#"[["look"], ["arrows"]]"#),
         visit("toggle_clamp::ToggleClamp", 800, r#"[["look"], ["ends"], ["sliders"]]"#),
-        visit("counterweight::FourBar", 1280, r#"[["look"], ["typed"], ["sliders"]]"#),
+        visit("counterweight::FourBar", 1280, r#"[["look"], ["typed"], ["sliders"], ["told"]]"#),
         visit("calibration::SixBar", 1280, r#"[["keeps"]]"#),
         visit("vibration::Oscillator", 800, r#"[["look"], ["runs", 15, 1.6632], ["sliders"]]"#),
         Visit {
@@ -182,7 +182,7 @@ fn a_reader_drags_machines_in_a_dark_browser_while_they_play() {
     check("drag_dark", &["--blink-settings=preferredColorScheme=0"]);
 }
 
-/// Names and values on each other, on a bar or on a joint: every machine of the gallery, over the ranges of its inputs
+/// Names and values on each other, on a bar, on an arrow or on a joint: every machine of the gallery, over the ranges of its inputs
 /// and along its path, on a phone, a tablet and a screen.
 #[test]
 #[ignore = "needs chromium"]
@@ -191,17 +191,23 @@ fn no_text_lies_on_another_nor_a_name_on_a_bar() {
     let wrong = std::thread::scope(|scope| {
         let halves = pages.chunks(pages.len().div_ceil(2)).enumerate();
         let halves = halves.map(|(half, pages)| {
-            let look = move || pages.chunks(7).map(|pages| faults(half, pages)).collect::<String>();
+            let look = move || pages.chunks(7).map(|pages| faults(half, pages)).collect::<Vec<_>>();
             scope.spawn(look)
         });
         let halves: Vec<_> = halves.collect();
-        halves.into_iter().map(|half| half.join().expect("it looks to the end")).collect::<String>()
+        let found = halves.into_iter().map(|half| half.join().expect("it looks to the end"));
+        found.flatten().collect::<Vec<_>>()
     });
-    assert!(wrong.is_empty(), "{wrong}");
+    let (faults, poses): (Vec<_>, Vec<usize>) = wrong.into_iter().unzip();
+    let faults = faults.concat();
+    assert!(faults.is_empty(), "{faults}");
+    let poses: usize = poses.iter().sum();
+    println!("{poses} poses");
+    assert!(poses >= 5_000, "{poses}");
 }
 
-/// The faults of that kind on some pages, in one of two browsers.
-fn faults(half: usize, pages: &[(&'static str, String)]) -> String {
+/// The faults of that kind on some pages, in one of two browsers, and how many poses were looked at.
+fn faults(half: usize, pages: &[(&'static str, String)]) -> (String, usize) {
     let of_width = |(name, html): &(&'static str, String)| {
         [360, 800, 1280].map(|width| Visit { name, html: html.clone(), width, steps: "" })
     };
@@ -210,7 +216,10 @@ fn faults(half: usize, pages: &[(&'static str, String)]) -> String {
     let found = scripted(&visits, &name, &flags, |_| include_str!("over.js").to_string());
     let seen = found.lines().filter(|line| line.ends_with(" texts")).count();
     assert_eq!(seen, visits.len(), "{found}");
-    if found.contains("FAILED") { found } else { String::new() }
+    let poses = found.lines().filter_map(|line| line.trim().strip_suffix(" poses"));
+    let poses = poses.filter_map(|count| count.parse::<usize>().ok()).sum();
+    let faults = if found.contains("FAILED") { found } else { String::new() };
+    (faults, poses)
 }
 
 /// A frame of each kind, over and over: inputs that move, a point that is dragged, a parameter that is set. The most

@@ -1,6 +1,7 @@
 //! The pages on which machines are dragged: their numbers against the solvers', and what a browser makes of
 //! them.
 
+mod access;
 mod browser;
 #[path = "../chromium/mod.rs"]
 mod chromium;

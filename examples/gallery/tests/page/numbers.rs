@@ -1,7 +1,7 @@
 //! The script of every machine's page against its solver: the same numbers and the same refusals.
 
 #[path = "../../../../tests/skipped.rs"]
-mod skipped;
+pub(super) mod skipped;
 
 use std::fmt::Write;
 use std::process::Command;

@@ -35,6 +35,10 @@
       const m = block.getCTM();
       for (let x = -12; x <= 12; x += 4) for (const y of [-7, 0, 7]) found.push([m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f, "block", 1]);
     }
+    for (const arrow of [...nodes.forces.querySelectorAll(".arrow")].filter(isSeen)) {
+      if (arrow === nodes.forceScale) continue;
+      for (const { x, y } of along(arrow)) found.push([x, y, "arrow", 1]);
+    }
     for (const [k, pin] of nodes.pin.entries()) {
       const m = pin.getCTM();
       if (isSeen(pin)) found.push([m.e, m.f, `joint ${PLAN.points[k]}`, 4]);
@@ -42,7 +46,7 @@
     return found;
   };
   const faults = new Map();
-  let seen = 0;
+  let seen = 0, posed = 0;
   const fault = (what) => faults.set(what, (faults.get(what) ?? 0) + 1);
   const overlaps = (list) => list.forEach(([name, a], k) => list.slice(k + 1).forEach(([other, b]) => {
     if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) fault(`${name} over ${other}`);
@@ -80,15 +84,16 @@
   };
   addEventListener("load", () => setTimeout(() => {
     play(false);
-    const poses = inputs.flatMap((input, k) => Array.from({ length: 24 }, (_, n) => withInput(k, input.from + (sizeOf(input) * (n + 0.5)) / 24)));
+    const poses = inputs.flatMap((input, k) => Array.from({ length: 44 }, (_, n) => withInput(k, input.from + (sizeOf(input) * (n + 0.5)) / 44)));
     for (const q of [...PAGE.path.filter((_, k) => k % 9 === 0), ...poses]) {
       state.q = q;
       due = POSE;
       told = 0;
       frame();
+      posed++;
       look();
       lookBeside();
     }
-    parent.postMessage({ failures: [...faults].map(([what, count]) => `${what} ${count}×`), told: [`${seen} texts`] }, "*");
+    parent.postMessage({ failures: [...faults].map(([what, count]) => `${what} ${count}×`), told: [`${posed} poses`, `${seen} texts`] }, "*");
   }, 200));
 }

@@ -1,4 +1,4 @@
-// What acts and what a reader asks: applied loads, the motion of a joint that is clicked, curves that are kept, pictures
+// What a reader asks: the motion of a joint that is clicked, curves that are kept, pictures
 // to take along.
 
 /// The joint or link that was clicked.
@@ -151,22 +151,6 @@ const runOn = (time) => {
   Object.assign(running, { v, a, then: time });
   requestAnimationFrame(runOn);
 };
-
-// ---- applied loads ----------------------------------------------------------------------------------
-
-const drawApplied = (pose, { applied }, scale, [unit, times]) => nodes.applied.forEach(({ path, text, point }, k) => {
-  const at = pose.point(point), force = applied && applied.slice(2 * k, 2 * k + 2), size = force ? Math.hypot(...force) : 0;
-  const length = size * scale, isShown = at && length > 1;
-  show(path, isShown);
-  show(text, false);
-  if (!isShown) return;
-  const from = onPage(at), to = [from[0] + force[0] * scale, from[1] - force[1] * scale];
-  trace(path, arrowTo(from, to));
-  if (length < 25 || view.width < 500) return;
-  text.textContent = withUnit(digits(size * times, 3), unit);
-  const wide = 6.7 * text.textContent.length;
-  write(text, wide, [-6, 16, -22].flatMap((dy) => [[to[0] + 6, to[1] + dy], [to[0] - 6 - wide, to[1] + dy]]));
-});
 
 // ---- pictures to take along -------------------------------------------------------------------------
 

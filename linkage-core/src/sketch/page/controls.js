@@ -1,14 +1,21 @@
 // Sliders and modes, the declaration with what was changed, and the address.
 
-const row = (into, docs) => element("div", { className: "row", title: docs ?? "" }, $(into));
+const row = (into) => element("div", { className: "row" }, $(into));
+/// What the declaration says of a number, below it.
+const describe = (line, id, docs, ...controls) => {
+  if (!docs) return;
+  element("small", { id: `${id}_docs`, textContent: docs }, line);
+  for (const control of controls) control.setAttribute("aria-describedby", `${id}_docs`);
+};
 
 /// A slider with its name and a field, in which a number may lie beyond the slider's ends and have any unit. Returns
 /// a function that sets both, and the slider's ends where these are given.
 const slider = (into, id, { name, docs, unit }, shown, change, settle) => {
-  const line = row(into, docs);
+  const line = row(into);
   entitle(element("label", { htmlFor: id }, line), name);
   const input = element("input", { type: "range", id, step: "any" }, line);
   const field = element("input", { type: "text", className: "field", id: `${id}_field`, ariaLabel: `${name}, as a number`, autocomplete: "off", spellcheck: false }, line);
+  describe(line, id, docs, input, field);
   const set = (x, { from, to } = {}) => {
     // What was typed beyond the ends is not cut off.
     if (from !== undefined) Object.assign(input, { min: Math.min(from, x), max: Math.max(to, x) });
@@ -48,7 +55,7 @@ const slider = (into, id, { name, docs, unit }, shown, change, settle) => {
 
 /// A choice between two words. Returns a function that sets it to +1 or −1.
 const choice = (into, { name, docs, words: both }, change) => {
-  const line = row(into, docs);
+  const line = row(into);
   entitle(element("span", {}, line), name);
   const set = element("fieldset", { ariaLabel: name }, line);
   const buttons = both.map((word, k) => {
@@ -56,6 +63,7 @@ const choice = (into, { name, docs, words: both }, change) => {
     element("span", { textContent: word }, label);
     return button;
   });
+  describe(line, `param_${name}`, docs, set);
   on(set, "change", ({ target }) => change(+target.value));
   return (sign) => buttons.forEach((button) => button.checked = +button.value === sign);
 };

@@ -289,6 +289,9 @@ const drawCursors = (now) => {
       isFirst &&= !isShown[k];
     });
     rest.textContent = chart.hasBand && now.holding ? `   at rest ${heldWords(now)}` : "";
+    // On a phone a long line is written smaller.
+    const share = (chart.width - chart.left) / (6.6 * chart.legend.textContent.length), size = share < 1 ? `${short(12.5 * share)}px` : "";
+    if (chart.legend.style.fontSize !== size) chart.legend.style.fontSize = size;
   }
 };
 
@@ -303,7 +306,7 @@ const buildTable = () => {
     entitle(element("th", { scope: kind }, line), label);
     return contents.map((textContent) => element(kind === "row" ? "td" : "th", { textContent }, line));
   };
-  if (rows.length) row("", "col", ["position", "velocity", "acceleration"]);
+  if (rows.length) row("output", "col", ["position", "velocity", "acceleration"]);
   for (const each of rows) {
     const line = row(each.label, "row", ["", "", ""]);
     line.forEach((cell, order) => cells.push([cell, ({ motion }, then) => {
@@ -316,7 +319,7 @@ const buildTable = () => {
   let kind = null;
   const headed = (unit) => {
     const own = kinds[unit] ?? "value";
-    if (own !== kind) row("", "col", [own]);
+    if (own !== kind) row("output", "col", [own]);
     kind = own;
   };
   for (const each of grouped(efforts, ({ unit }) => kinds[unit]).flat()) {

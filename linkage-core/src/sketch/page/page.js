@@ -40,7 +40,8 @@ const fit = () => {
   const inner = clamp(((width - 2 * spare) * high) / wide + 2 * spare, least, most);
   const scale = Math.min((width - 2 * spare) / wide, (inner - 2 * spare) / Math.max(high, 1e-3 * wide));
   // Below stands the scale.
-  Object.assign(view, { scale, width, height: inner + 16, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 });
+  // While the page around this one moves a point, the scale stands still.
+  Object.assign(view, { scale, width, height: inner + 16, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 }, globalThis.MOVED?.view);
   sample();
   build(poses);
   setAll();
@@ -62,14 +63,14 @@ const drawPose = () => {
   const pose = new Pose(state.q);
   if (!pose.error) lastGood = pose;
   const now = answersAt(pose);
-  const bodies = bodiesOf(pose);
+  const bodies = bodiesOf(pose), arrows = arrowsOf(pose, now);
   drawBodies(nodes.body, bodies);
   show(nodes.ghost, pose.error && lastGood);
   if (pose.error && lastGood) drawBodies(nodes.shade, bodiesOf(lastGood));
   drawSprings(pose);
-  drawJoints(pose, bodies);
+  drawJoints(pose, bodies, arrows);
   drawGap(pose);
-  drawForces(pose, now);
+  drawForces(pose, arrows);
   drawPicked(pose, now);
   const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`.replaceAll(" ", "\u00a0")).join("  ·  ");
   $("#state").textContent = now.refused ? `${said}: ${why(now.refused)}` : said;
@@ -340,6 +341,23 @@ for (const kind of ["length", "angle"]) {
   });
 }
 addEventListener("hashchange", take);
+/// On a narrow screen picture and curves stand at its ends while a slider is moved: what it does to both is seen. The
+/// slider goes between them.
+let slid = 0;
+on($("#machine"), "input", ({ target }) => {
+  if (innerWidth > 860 || target.type !== "range") return;
+  clearTimeout(slid);
+  if (!document.body.classList.contains("sliding")) {
+    const card = $(".card"), { top, bottom } = target.getBoundingClientRect();
+    card.style.height = `${card.offsetHeight}px`;
+    document.body.classList.add("sliding");
+    if (top < 0.32 * innerHeight || bottom > 0.64 * innerHeight) scrollBy(0, top - 0.45 * innerHeight);
+  }
+  slid = setTimeout(() => {
+    document.body.classList.remove("sliding");
+    $(".card").style.height = "";
+  }, 2000);
+});
 let lastWidth = 0;
 new ResizeObserver(() => {
   const width = figure.parentElement.clientWidth;

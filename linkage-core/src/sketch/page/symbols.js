@@ -24,7 +24,7 @@ const build = (poses) => {
     text.textContent = name;
     return text;
   });
-  nodes.arrows = efforts.filter(({ row, point }) => point !== null && row === "x").map((effort) => ({
+  nodes.arrows = efforts.map((effort, at) => ({ ...effort, at })).filter(({ row, point }) => point !== null && row === "x").map((effort) => ({
     ...effort,
     path: made("path", { class: "arrow" }, nodes.forces),
     text: made("text", { class: "word force" }, nodes.forces),
@@ -101,8 +101,8 @@ const drawGround = (poses) => {
 /// other names in most poses. Where it is not, the name goes elsewhere.
 const offsets = [];
 const halfOf = (point) => 3.8 * PLAN.points[point].length + 1.5;
-const seenIn = (pose, bodies) => ({
-  lines: linesOf(bodies),
+const seenIn = (pose, bodies, arrows) => ({
+  lines: [...linesOf(bodies), ...arrows.filter(({ to }) => to).map(({ from, to }) => [from, to, 3])],
   spots: PLAN.points.map((_, point) => {
     const at = used.has(point) && pose.point(point);
     return at && onPage(at);
@@ -110,7 +110,7 @@ const seenIn = (pose, bodies) => ({
 });
 const placeNames = (poses) => {
   offsets.length = 0;
-  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0).map((pose) => seenIn(pose, bodiesOf(pose)));
+  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0).map((pose) => seenIn(pose, bodiesOf(pose), arrowsOf(pose, answersAt(pose))));
   for (const point of used) offsets[point] = sideOf(point, seen);
 };
 
@@ -188,8 +188,8 @@ const drawSprings = (pose) => PLAN.springs.forEach(({ ends, kinds }, k) => {
   trace(nodes.spring[k], a && b && draw([a, b].map(onPage)));
 });
 
-const drawJoints = (pose, bodies) => {
-  const seen = seenIn(pose, bodies), { spots } = seen;
+const drawJoints = (pose, bodies, arrows) => {
+  const seen = seenIn(pose, bodies, arrows), { spots } = seen;
   let leads = "";
   texts = [];
   spots.forEach((spot, point) => {
@@ -280,26 +280,35 @@ const drawForceScale = (most, [unit, times]) => {
   trace(nodes.forceScale, arrowTo([x - length, y], [x, y]));
   show(nodes.forceWords, true, [x + 8, y + 4]);
 };
-const drawForces = (pose, { forces, applied }) => {
-  // No arrow leaves the picture, whose sides are that far from the machine.
-  const isSlim = view.width < 500, most = isSlim ? 36 : 90, isAny = (nodes.arrows.length || nodes.applied.length) && largestForce > 0;
-  const shown = isAny && shownIn("N", 0, largestForce);
+/// How long the largest arrow is. None leaves the picture, whose sides are that far from the machine.
+const mostArrow = () => (view.width < 500 ? 36 : 90);
+/// The arrows of a pose: reactions of joints, and loads that are applied.
+const arrowsOf = (pose, { forces, applied }) => {
+  const scale = mostArrow() / largestForce;
+  const of = (list, forceOf) => list.map((arrow, nth) => {
+    const at = pose.point(arrow.point), force = forceOf(arrow, nth), size = force ? Math.hypot(...force) : 0;
+    if (!at || !(size * scale > 1)) return { arrow };
+    const [x, y] = onPage(at);
+    return { arrow, size, from: [x, y], to: [x + force[0] * scale, y - force[1] * scale] };
+  });
+  return [
+    ...of(nodes.arrows, ({ at: k }) => forces && [forces[k], forces[k + 1]]),
+    ...of(nodes.applied, (_, k) => applied && applied.slice(2 * k, 2 * k + 2)),
+  ];
+};
+const drawForces = (pose, arrows) => {
+  const isAny = arrows.length > 0 && largestForce > 0, [unit, times] = isAny ? shownIn("N", 0, largestForce) : ["N", 1];
   show(nodes.forceScale, isAny);
   show(nodes.forceWords, isAny);
-  if (isAny) drawForceScale(most, shown);
-  drawApplied(pose, { applied }, isAny ? most / largestForce : 0, shown || ["N", 1]);
+  if (isAny) drawForceScale(mostArrow(), [unit, times]);
   const pins = [...used].map((point) => pose.point(point)).filter((at) => at).map(onPage);
-  for (const { path, text, effort, point } of nodes.arrows) {
-    const at = pose.point(point), k = efforts.findIndex((row) => row.effort === effort);
-    const force = forces && [forces[k], forces[k + 1]], size = force ? Math.hypot(...force) : 0;
-    const length = (size / largestForce) * most, isShown = at && length > 1;
-    show(path, isShown);
+  for (const { arrow: { path, text, effort }, size, from, to } of arrows) {
+    show(path, to);
     show(text, false);
-    if (!isShown) continue;
-    const from = onPage(at), to = [from[0] + (force[0] / size) * length, from[1] - (force[1] / size) * length];
+    if (!to) continue;
     trace(path, arrowTo(from, to));
-    if (length < 25 || isSlim) continue;
-    text.textContent = `${effort} ${withUnit(digits(size * shown[1], 3), shown[0])}`;
+    if (apart(from, to) < 25 || view.width < 500) continue;
+    text.textContent = `${effort ? `${effort} ` : ""}${withUnit(digits(size * times, 3), unit)}`;
     const wide = 6.7 * text.textContent.length, sides = [to[0] + 6, to[0] - 6 - wide];
     if (to[0] < from[0]) sides.reverse();
     const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, to[1] + dy]));

@@ -8,6 +8,7 @@ mod chromium;
 mod skipped;
 mod texts;
 mod wasm;
+mod way;
 
 /// The machines to begin with, by their files.
 pub(crate) const MACHINES: [(&str, &str); 6] = [

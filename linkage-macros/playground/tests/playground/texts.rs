@@ -1,6 +1,6 @@
 //! Texts as they are typed: every prefix, and every letter left out.
 
-use linkage_playground::{C, CHECK, FMU, RUST, answered};
+use linkage_playground::{ALL, C, CHECK, FMU, IMPORT, RUST, answered};
 use serde_json::Value;
 
 use super::MACHINES;
@@ -30,7 +30,12 @@ fn every_machine_to_begin_with_has_a_page_and_exports() {
             assert!(answered(text, task).starts_with(b"PK"), "{name}");
         }
         let rust = String::from_utf8(answered(text, RUST)).expect("it is a text");
-        assert!(rust.contains("struct"), "{name}");
+        assert!(rust.starts_with("use linkage_core::mechanism;\n\nmechanism! {"), "{name}");
+        let all = answered(text, ALL);
+        for ending in [".html", ".fmu", ".rs", ".c"] {
+            let is_there = all.windows(ending.len()).any(|part| part == ending.as_bytes());
+            assert!(is_there, "{name}{ending}");
+        }
         // The text between the braces is a declaration too.
         let (_, inner) = text.split_once('{').expect("it is a call");
         assert!(is_whole(inner.trim_end().trim_end_matches('}')), "{name}");
@@ -45,7 +50,7 @@ fn mistakes_have_their_letters_and_nothing_else() {
     let from = answer["messages"][0]["from"].as_u64().expect("a place is a number") as usize;
     let units: Vec<u16> = text.encode_utf16().collect();
     assert_eq!(units[from], u16::from(b'Q'), "{answer}");
-    for task in [C, FMU, RUST] {
+    for task in [C, FMU, RUST, ALL] {
         assert!(answered(text, task).is_empty() && answered("struct {", task).is_empty());
     }
     for text in
@@ -75,4 +80,46 @@ fn a_text_that_is_typed_is_told_inside_it() {
         }
     }
     assert!(whole * 20 > broken && broken > 2 * whole, "{whole} whole, {broken} broken");
+}
+
+/// Each written pair of numbers has its letters, also beside a mistake.
+#[test]
+fn places_have_their_letters() {
+    let text = "mechanism! { struct Ω { input t: angle; ground A(0, 0), D(-2 m, q); pin B(1m, 2 * l), C(3, 0);
+        link AB(A, B), BC(B, C), DC(D, R); drive AB.angle = t; point P on BC at (20mm, 1cm); } }";
+    let answer: Value = serde_json::from_slice(&answered(text, CHECK)).expect("an answer is JSON");
+    assert!(answer["page"].is_null(), "{answer}");
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let places = answer["places"].as_array().expect("there is a list");
+    let found = places.iter().map(|place| {
+        let numbers = place["numbers"].as_array().expect("two").iter().map(|ends| {
+            let at = |end: usize| ends[end].as_u64().expect("a place is a number") as usize;
+            String::from_utf16_lossy(&units[at(0)..at(1)])
+        });
+        let (name, on) = (place["name"].as_str(), place["on"].as_str());
+        format!("{} {} {}", name.unwrap(), on.unwrap_or("-"), numbers.collect::<Vec<_>>().join("|"))
+    });
+    let found: Vec<String> = found.collect();
+    let wanted = ["A - 0|0", "D - -2 m|q", "B - 1m|2 * l", "C - 3|0", "P BC 20mm|1cm"];
+    assert_eq!(found, wanted);
+}
+
+/// What other programs write becomes a declaration that has a page; anything else is refused in words.
+#[test]
+fn machines_of_others_are_declarations() {
+    for text in [
+        include_str!("../../../command/tests/machines/pmks/four_bar.txt"),
+        include_str!("../../../command/tests/machines/pmks/slider_crank.txt"),
+        include_str!("../../../command/tests/machines/pylinkage/coupler_curve.json"),
+    ] {
+        let answer: Value =
+            serde_json::from_slice(&answered(text, IMPORT)).expect("an answer is JSON");
+        let declaration = answer["text"].as_str().expect("it is read");
+        assert!(is_whole(declaration), "{declaration}");
+    }
+    for text in ["", "nonsense", "{", "{}", "https://app.pmksplus.com/?", "M[]", "?\u{0}"] {
+        let answer: Value =
+            serde_json::from_slice(&answered(text, IMPORT)).expect("an answer is JSON");
+        assert!(answer["mistake"].as_str().is_some_and(|why| !why.is_empty()), "{text}: {answer}");
+    }
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use linkage_playground::{C, CHECK, FMU, RUST, answered};
+use linkage_playground::{ALL, C, CHECK, FMU, RUST, answered};
 
 use super::{MACHINES, skipped};
 
@@ -52,7 +52,7 @@ fn a_browser_is_answered_alike() {
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
     for (name, text) in &texts {
-        for task in [CHECK, C, FMU, RUST] {
+        for task in [CHECK, C, FMU, RUST, ALL] {
             let found = fs::read(folder.join(format!("{name}.{task}"))).expect("it was answered");
             assert!(found == answered(text, task), "{name} is answered otherwise, task {task}");
         }

@@ -1,8 +1,8 @@
 //! Masses and forces of an address.
 
+use super::super::drawing::{Drawing, Force, Mass};
 use super::Mistake;
 use super::records::{Arrow, MASS_AND_INERTIA, Member, Records, block};
-use crate::import::drawing::{Drawing, Force, Mass};
 
 pub(super) fn draw_masses(drawing: &mut Drawing, records: &Records<'_>) {
     let [mass, inertia] = MASS_AND_INERTIA;

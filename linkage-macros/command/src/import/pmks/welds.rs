@@ -1,7 +1,7 @@
 //! Joints that are welded: the links through one are one link.
 
+use super::super::drawing::Drawing;
 use super::records::{Joint, Member, Records};
-use crate::import::drawing::Drawing;
 
 /// Makes one link of the links at each welded joint: a block takes the name of its rod. A prismatic joint without a piston is
 /// welded to its link. Where parts of one compound link meet, earlier versions meant these alone: a piston is pinned there.
