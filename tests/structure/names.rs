@@ -60,7 +60,7 @@ fn no_type_name_is_defined_twice() {
                 types.entry(name).or_default().push(&source.path);
             }
         }
-        assert!(of.sources.len() < 20 || types.len() > 100, "{}: few types", of.name);
+        assert!(of.sources.len() < 40 || types.len() > 100, "{}: few types", of.name);
         types.retain(|_, places| places.len() > 1);
         left.extend(
             types.iter().map(|(name, places)| format!("{} {name}: {}", of.name, places.join(", "))),

@@ -141,7 +141,7 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
         self.check()?;
         let mut starts = self.plan.starts(&self.problem, &mut *self.told)?;
         let mut rounds = ROUNDS;
-        let mut first = None;
+        let (mut first, mut evaluations) = (None, 0);
         loop {
             let begin = Begin { plan: &self.plan, problem: &self.problem, kernel: &*self.kernel };
             let (attempts, failures) = parted(begin.ended(&starts, &mut *self.told));
@@ -150,7 +150,9 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
             let mut found = Found::of(&self.problem, attempts, &failures)?;
             // Later rounds begin where the first one ended.
             let Counts { mended, redrawn, .. } = *first.get_or_insert(found.counts);
-            found.counts = Counts { mended, redrawn, ..found.counts };
+            evaluations += found.counts.evaluations;
+            let draws = self.plan.draws;
+            found.counts = Counts { mended, redrawn, draws, evaluations, ..found.counts };
             found.confirmed = self.confirmed(&found);
             rounds -= 1;
             if rounds == 0 || !self.add_samples(&found.confirmed) {

@@ -47,6 +47,10 @@ pub struct Counts {
     pub redrawn: usize,
     /// Starts that could not be assembled, however often they were drawn.
     pub refused: usize,
+    /// Random machines that were looked at.
+    pub draws: usize,
+    /// Machines that the searches looked at, with slopes or without, all inputs of one counting once.
+    pub evaluations: usize,
 }
 
 /// The machine that was found.
@@ -117,6 +121,8 @@ impl<F, const N: usize> Found<F, N> {
             mended: begun(Begun::Mended),
             redrawn: begun(Begun::Redrawn),
             refused: failures.len(),
+            draws: 0,
+            evaluations: attempts.iter().map(|attempt| attempt.evaluations).sum(),
         };
         let optimality = Optimality::of(&best.x, &at);
         let (undetermined, deviations) = determined(problem, &at, &optimality);
@@ -255,7 +261,7 @@ impl<F, const N: usize> fmt::Display for Found<F, N> {
                 _ => writeln!(f)?,
             }
         }
-        let Counts { starts, here, violating, refused, .. } = self.counts;
+        let Counts { starts, here, violating, refused, draws, evaluations, .. } = self.counts;
         write!(f, "sum of squares {:.9e}; {here} of {starts} starts end here", self.cost)?;
         if violating > 0 {
             write!(f, ", {violating} where not all is kept")?;
@@ -263,7 +269,7 @@ impl<F, const N: usize> fmt::Display for Found<F, N> {
         if refused > 0 {
             write!(f, ", {refused} could not be assembled")?;
         }
-        writeln!(f)?;
+        writeln!(f, "; {draws} draws and {evaluations} evaluations")?;
         for Price { at, price } in &self.prices {
             writeln!(f, "at its limit: {at}; price {price:.3e} a unit")?;
         }

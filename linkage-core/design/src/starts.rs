@@ -1,11 +1,12 @@
 //! From random draws to starts, and from each start to its end.
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use linkage_core::SolveError;
 
 use crate::error::DesignError;
-use crate::kernel::Kernel;
+use crate::kernel::{Evaluation, Goal, Kernel};
 use crate::mend::mended;
 use crate::optimality::ACTIVE;
 use crate::problem::Problem;
@@ -21,6 +22,7 @@ pub(crate) struct Attempt<const N: usize> {
     pub(crate) cost: f64,
     pub(crate) violation: f64,
     pub(crate) begun: Begun,
+    pub(crate) evaluations: usize,
 }
 
 /// A start's way to a machine that can be assembled.
@@ -138,6 +140,19 @@ pub(crate) struct Begin<'b, 'a, M, F, const N: usize> {
     pub(crate) kernel: &'b dyn Kernel,
 }
 
+/// A problem that counts what a search evaluates.
+struct Counted<'c, 'a, M, F, const N: usize> {
+    problem: &'c Problem<'a, M, F, N>,
+    count: Cell<usize>,
+}
+
+impl<'a, M: 'a, F, const N: usize> Goal for Counted<'_, 'a, M, F, N> {
+    fn evaluate(&self, x: &[f64], with_slopes: bool) -> Option<Evaluation> {
+        self.count.set(self.count.get() + 1);
+        self.problem.evaluate(x, with_slopes)
+    }
+}
+
 /// The end of a search, or why it could not begin.
 pub(crate) type Ended<const N: usize> = Result<Attempt<N>, Failure>;
 
@@ -162,10 +177,12 @@ impl<'a, M: 'a, F, const N: usize> Begin<'_, 'a, M, F, N> {
     /// One search.
     fn attempt(&self, (draw, start): Start<N>) -> Ended<N> {
         let (start, begun) = self.assembled(draw, start)?;
-        let end = self.kernel.search(self.problem, &start);
+        let counted = Counted { problem: self.problem, count: Cell::new(0) };
+        let end = self.kernel.search(&counted, &start);
         let x: [f64; N] = core::array::from_fn(|i| end[i]);
         let at = self.problem.evaluated(&x, true)?;
-        Ok(Attempt { draw, x, cost: at.cost(), violation: at.violation(), begun })
+        let evaluations = counted.count.get();
+        Ok(Attempt { draw, x, cost: at.cost(), violation: at.violation(), begun, evaluations })
     }
 
     /// A start that can be assembled: itself, mended, or drawn again.

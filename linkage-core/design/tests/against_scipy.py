@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Eighteen timed points by scipy and by linkage-design: error, evaluations, seconds.
+
+Run from anywhere, by a Python that has scipy: linkage-core/design/tests/against_scipy.py. Needs Cargo.
+The ten numbers of a four-bar with a coupler point are sought within the same ranges: by differential evolution, by
+least squares from random starts with differences, and by linkage-design, with exact slopes, first with all ten numbers
+free and then with place, turn and size eliminated. An evaluation is a machine at all eighteen inputs.
+"""
+
+import subprocess
+import time
+from pathlib import Path
+
+try:
+    import numpy as np
+    from scipy.optimize import differential_evolution, least_squares
+except ImportError as missing:
+    raise SystemExit(f"skipped: scipy ({missing}); pip install scipy")
+
+ROOT = Path(__file__).resolve().parents[3]
+TARGETS = np.array([
+    [0.5, 1.1], [0.4, 1.1], [0.3, 1.1], [0.2, 1.0], [0.1, 0.9], [0.05, 0.75], [0.02, 0.6], [0.0, 0.5], [0.0, 0.4],
+    [0.03, 0.3], [0.1, 0.25], [0.15, 0.2], [0.2, 0.3], [0.3, 0.4], [0.4, 0.5], [0.5, 0.7], [0.6, 0.9], [0.6, 1.0],
+])
+TURN = np.arange(18) * np.pi / 9
+RANGES = [(0.05, 5.0)] * 4 + [(-3.0, 3.0)] * 4 + [(0.0, 2 * np.pi)] * 2
+WIDE = [(1e-3, 50.0)] * 4 + [(-50.0, 50.0)] * 4 + [(-2 * np.pi, 4 * np.pi)] * 2
+SECONDS = 30
+evaluations = 0
+
+
+def residuals(numbers):
+    """The point's misses, none where the four-bar cannot be assembled."""
+    global evaluations
+    evaluations += 1
+    a, b, c, d, px, py, x, y, tilt, start = numbers
+    crank = a * np.exp(1j * (start + TURN))
+    line = d - crank
+    length = np.abs(line)
+    cos = (b * b - c * c + length**2) / (2 * b * length)
+    if np.any(np.abs(cos) > 1):
+        return None
+    coupler = line / length * (cos + 1j * np.sqrt(1 - cos * cos))
+    point = x + 1j * y + np.exp(1j * tilt) * (crank + (px + 1j * py) * coupler)
+    return np.concatenate([point.real - TARGETS[:, 0], point.imag - TARGETS[:, 1]])
+
+
+def cost(numbers):
+    a, b, c, d = numbers[:4]
+    short = max(a + d - b - c, a + b - d - c, a + c - d - b, 0)
+    found = residuals(numbers)
+    return 10 + short if found is None else found @ found + (short > 0) * (1 + short)
+
+
+def row(name, error, count, seconds):
+    print(f"{name:44} {error:12.9f} {count:12,} {seconds:8.2f}", flush=True)
+
+
+def by_scipy():
+    global evaluations
+    for seed in range(2):
+        evaluations, begun = 0, time.time()
+        found = differential_evolution(
+            cost, RANGES, maxiter=1000, popsize=10, tol=1e-10, seed=seed, polish=False, updating="immediate"
+        )
+        row(f"scipy, differential evolution, seed {seed}", found.fun, evaluations, time.time() - begun)
+    draw, best, evaluations, begun = np.random.default_rng(0), np.inf, 0, time.time()
+    while time.time() - begun < SECONDS:
+        start = np.array([draw.uniform(*ends) for ends in RANGES])
+        if cost(start) >= 10:
+            continue
+        missed = lambda numbers: (lambda found: np.full(36, 3.0) if found is None else found)(residuals(numbers))
+        found = least_squares(missed, start, bounds=np.array(WIDE).T, max_nfev=200)
+        best = min(best, cost(found.x))
+    row("scipy, least squares with differences", best, evaluations, time.time() - begun)
+
+
+def by_design():
+    test = ["--test", "curves", "raced", "--", "--ignored", "--nocapture", "--test-threads=1"]
+    ran = subprocess.run(
+        ["cargo", "test", "-q", "--release", "-p", "linkage-design", *test],
+        cwd=ROOT, check=True, capture_output=True, text=True,
+    )
+    for line in ran.stdout.splitlines():
+        if line.startswith("raced:"):
+            name, error, count, seconds = line.removeprefix("raced:").split(";")
+            row(name.strip(), float(error), int(count), float(seconds))
+
+
+print(f"{'':44} {'error':>12} {'evaluations':>12} {'seconds':>8}")
+by_scipy()
+by_design()
