@@ -21,7 +21,7 @@ pub enum Verdict {
 pub struct Confirmed {
     /// The name of the keep.
     pub keep: String,
-    /// By [`limits`] or [`extrema`].
+    /// By [`limits`](linkage_core::range::limits()) or [`extrema`](linkage_core::range::extrema()).
     pub verdict: Verdict,
 }
 
