@@ -40,7 +40,7 @@ const SEVERAL_DEAD_POINTS: i32 = 9;
 const JAMS: i32 = 10;
 
 impl CError {
-    /// There was an answer.
+    /// Nothing is wrong: what the errors begin with.
     pub const NONE: Self = Self {
         status: 0,
         by: 0.0,

@@ -161,6 +161,7 @@ fn called(header: &str, stem: &str, function: &Function) -> (String, String) {
         "static void draw_{name}(double *g)\n{{\n{parameters}{drawn}}}\n\n\
          static void call_{name}(const double *g)\n{{\n    {record} {to}_a{dimensions}, {to}_b{dimensions};\n    \
          LinkageError a, b;\n    LinkageStatus status;\n{declared}{set}    \
+         a = b = untold;\n    \
          memset(&{to}_a, 0xa5, sizeof {to}_a);\n    \
          memset(&{to}_b, 0xa5, sizeof {to}_b);\n    status = {name}({passed}{by}{to}_a, &a);\n    \
          compare(status, printed_{name}({passed}{by}{to}_b, &b), &{to}_a, &{to}_b, sizeof {to}_a, {is_single}, &a, &b);\n}}\n\n"

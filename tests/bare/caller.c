@@ -15,6 +15,9 @@
 /* What an answer holds before the call, and has to hold after a call that fails. */
 #define UNTOUCHED 0xa5
 
+/* An error before the call, which a call that answers leaves alone. */
+#define UNTOLD { 0, 0.0, NULL, 0, NULL, 0 }
+
 static void report(const char *name, LinkageStatus status, const LinkageError *error,
                    const void *answer, size_t size)
 {
@@ -34,7 +37,7 @@ static void report(const char *name, LinkageStatus status, const LinkageError *e
 #define CALL(function, type, ...)                                                 \
     do {                                                                          \
         type answer;                                                              \
-        LinkageError error;                                                       \
+        LinkageError error = UNTOLD;                                              \
         memset(&answer, UNTOUCHED, sizeof answer);                                \
         LinkageStatus status = function(__VA_ARGS__, &answer, &error);            \
         report(#function, status, &error, &answer, sizeof answer);                \
@@ -43,7 +46,7 @@ static void report(const char *name, LinkageStatus status, const LinkageError *e
 #define COEFFICIENTS(function, number, rows, columns, ...)                        \
     do {                                                                          \
         number answer[rows][columns];                                             \
-        LinkageError error;                                                       \
+        LinkageError error = UNTOLD;                                              \
         memset(answer, UNTOUCHED, sizeof answer);                                 \
         LinkageStatus status = function(__VA_ARGS__, answer, &error);             \
         report(#function, status, &error, answer, sizeof answer);                 \
@@ -52,7 +55,7 @@ static void report(const char *name, LinkageStatus status, const LinkageError *e
 #define LIST(function, number, count, ...)                                        \
     do {                                                                          \
         number answer[count];                                                     \
-        LinkageError error;                                                       \
+        LinkageError error = UNTOLD;                                              \
         memset(answer, UNTOUCHED, sizeof answer);                                 \
         LinkageStatus status = function(__VA_ARGS__, answer, &error);             \
         report(#function, status, &error, answer, sizeof answer);                 \

@@ -5,7 +5,7 @@
 #include "flying_shear.h"
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0xb63ee243u
+#if LINKAGE_RUN_TIME != 0xc3b0bfd8u
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 
@@ -15,7 +15,7 @@ const char *const flying_shear_output_labels[FLYING_SHEAR_OUTPUTS + 1] = { "blad
 
 #ifndef LINKAGE_NO_SINGLE
 
-static inline int flying_shear_compare_formulas_motion_atf(float cosine, float sine, float qd, float qdd, FlyingShearMotionF32 *to)
+static LINKAGE_INLINE int flying_shear_compare_formulas_motion_atf(float cosine, float sine, float qd, float qdd, FlyingShearMotionF32 *to)
 {
     int ok = 1;
     const float k0_ = 0.08f;
@@ -150,7 +150,7 @@ static LINKAGE_COLD void flying_shear_diagnose_formulas_motion_atf(LinkageWhy *w
     to->acceleration.blade.y = blade_ay_;
 }
 
-static inline int flying_shear_try_motion_atf(float cosine, float sine, float qd, float qdd, float square, FlyingShearMotionF32 *to)
+static LINKAGE_INLINE int flying_shear_try_motion_atf(float cosine, float sine, float qd, float qdd, float square, FlyingShearMotionF32 *to)
 {
     int ok = flying_shear_compare_formulas_motion_atf(cosine, sine, qd, qdd, to);
     ok &= 7.018599e18f >= linkage_fusedf(linkage_fusedf(qd, qd, square), linkage_fusedf(qd, qd, square), qdd * qdd);
@@ -195,7 +195,7 @@ static LINKAGE_COLD LinkageStatus flying_shear_why_motion_atf(float cosine, floa
         return linkage_refused(&why, error);
     }
     *to = found;
-    return linkage_answered(error);
+    return LINKAGE_OK;
 }
 
 LinkageStatus flying_shear_motion_f32(float theta, float theta_rate, float theta_acceleration, FlyingShearMotionF32 *motion, LinkageError *error)
@@ -209,8 +209,13 @@ LinkageStatus flying_shear_motion_f32(float theta, float theta_rate, float theta
     linkage_sin_cos_nearf(theta, &sine, &cosine);
     ok = flying_shear_try_motion_atf(cosine, sine, theta_rate, theta_acceleration, theta * theta, &result);
     if (ok) {
-        *motion = result;
-        return linkage_answered(error);
+        motion->position.blade.x = result.position.blade.x;
+        motion->position.blade.y = result.position.blade.y;
+        motion->velocity.blade.x = result.velocity.blade.x;
+        motion->velocity.blade.y = result.velocity.blade.y;
+        motion->acceleration.blade.x = result.acceleration.blade.x;
+        motion->acceleration.blade.y = result.acceleration.blade.y;
+        return LINKAGE_OK;
     }
     if (!linkage_is_finitef(theta)) {
         return linkage_because(error, LINKAGE_NOT_FINITE, "theta");
@@ -232,8 +237,13 @@ LinkageStatus flying_shear_motion_at_f32(float cos, float sin, float theta_rate,
     }
     ok = flying_shear_try_motion_atf(cosine, sine, theta_rate, theta_acceleration, (-0.0f), &result);
     if (ok) {
-        *motion = result;
-        return linkage_answered(error);
+        motion->position.blade.x = result.position.blade.x;
+        motion->position.blade.y = result.position.blade.y;
+        motion->velocity.blade.x = result.velocity.blade.x;
+        motion->velocity.blade.y = result.velocity.blade.y;
+        motion->acceleration.blade.x = result.acceleration.blade.x;
+        motion->acceleration.blade.y = result.acceleration.blade.y;
+        return LINKAGE_OK;
     }
     return flying_shear_why_motion_atf(cosine, sine, theta_rate, theta_acceleration, motion, error);
 }

@@ -2,9 +2,10 @@
  * A strip-mill flying shear: a crank-rocker whose coupler carries the upper blade.
  *
  * A function returns LINKAGE_OK, or why there is no answer; then what its answer would
- * have been written to is left as it was. error may be null; otherwise it is filled in
- * every time. Any other null pointer is reported. Pointers that are not null have to be
- * valid. Nothing is allocated or kept between calls, so any number of threads may call. */
+ * have been written to is left as it was. error may be null; otherwise it is written
+ * where there is no answer, and left as it was where there is one. Any other null pointer
+ * is reported. Pointers that are not null have to be valid. Nothing is allocated or kept
+ * between calls, so any number of threads may call. */
 
 #ifndef FLYING_SHEAR_H
 #define FLYING_SHEAR_H

@@ -10,7 +10,7 @@
 #define LINKAGE_RUN_H
 
 /* A hash of the whole run-time: sources that were printed with another one do not compile with it. */
-#define LINKAGE_RUN_TIME 0xb63ee243u
+#define LINKAGE_RUN_TIME 0xc3b0bfd8u
 
 #include <float.h>
 #include <math.h>
@@ -45,6 +45,18 @@
 #define LINKAGE_COLD __attribute__((cold, noinline))
 #else
 #define LINKAGE_COLD
+#endif
+
+/* A fast path becomes part of the function that calls it, so that results stay in registers until they are known to be
+ * answers. */
+#if !defined(LINKAGE_INLINE)
+#if defined(__GNUC__)
+#define LINKAGE_INLINE inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define LINKAGE_INLINE __forceinline
+#else
+#define LINKAGE_INLINE inline
+#endif
 #endif
 
 /* Defined where one instruction multiplies and adds with one rounding. */
@@ -720,7 +732,6 @@ typedef struct LinkageNamed {
 
 LinkageWhy linkage_why(int is_single);
 LinkageWhy linkage_why_behind(int is_single, double stand_in);
-LinkageStatus linkage_answered(LinkageError *error);
 LinkageStatus linkage_refused(const LinkageWhy *why, LinkageError *error);
 LinkageStatus linkage_because(LinkageError *error, LinkageStatus status, const char *name);
 LinkageStatus linkage_not_on_circle(LinkageError *error, double cosine, double sine, const char *name);

@@ -46,7 +46,7 @@ impl In<'_> {
             }
         }
         *to += &format!(
-            "\nstatic inline int {}({})\n{{\n{}}}\n",
+            "\nstatic LINKAGE_INLINE int {}({})\n{{\n{}}}\n",
             self.core_name(entry),
             list.join(", "),
             indented(&body)
@@ -120,7 +120,7 @@ impl In<'_> {
         }
         body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
         body += &self.copied(entry.result, "found", "to");
-        body += "return linkage_answered(error);\n";
+        body += "return LINKAGE_OK;\n";
         *to += &format!(
             "\nstatic LINKAGE_COLD LinkageStatus {}({})\n{{\n{}}}\n",
             self.diagnosis_name(entry),
@@ -189,7 +189,13 @@ impl In<'_> {
         text + &format!("linkage_results_finite(&why, results, {count}, {given});\n}}\n")
     }
 
-    pub(super) fn copied(self, shape: Shape, from: &str, to: &str) -> String {
+    /// A result whose numbers are copied one by one: a compiler keeps them in registers, and writes each once.
+    pub(super) fn put(self, shape: Shape, from: &str, to: &str) -> String {
+        let pairs = self.components_behind(shape, to).into_iter().zip(self.components(shape, from));
+        pairs.map(|(to, from)| format!("{to} = {from};\n")).collect()
+    }
+
+    fn copied(self, shape: Shape, from: &str, to: &str) -> String {
         if !is_array(shape) {
             return format!("*{to} = {from};\n");
         }

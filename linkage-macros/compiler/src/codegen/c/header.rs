@@ -82,9 +82,10 @@ fn about(mechanism: &Mechanism, solver: &str) -> String {
         [
             "",
             "A function returns LINKAGE_OK, or why there is no answer; then what its answer would",
-            "have been written to is left as it was. `error` may be null; otherwise it is filled in",
-            "every time. Any other null pointer is reported. Pointers that are not null have to be",
-            "valid. Nothing is allocated or kept between calls, so any number of threads may call.",
+            "have been written to is left as it was. `error` may be null; otherwise it is written",
+            "where there is no answer, and left as it was where there is one. Any other null pointer",
+            "is reported. Pointers that are not null have to be valid. Nothing is allocated or kept",
+            "between calls, so any number of threads may call.",
         ]
         .map(str::to_string),
     );

@@ -142,8 +142,8 @@ impl<'a> PublicFunction<'a> {
     fn answered(&self, body: &mut String) {
         let [result, ok, ..] = &self.own;
         *body += &format!("if ({ok}) {{\n");
-        *body += &self.to.copied(self.entry.result, result, self.answer);
-        *body += "return linkage_answered(error);\n}\n";
+        *body += &self.to.put(self.entry.result, result, self.answer);
+        *body += "return LINKAGE_OK;\n}\n";
     }
 
     fn diagnosed(&self, own: &Entry, mut list: Vec<String>, body: &mut String) {

@@ -55,7 +55,7 @@ impl In<'_> {
 
     fn kind(self, asks: Asks) -> &'static str {
         match asks {
-            Asks::Compares => "static inline int",
+            Asks::Compares => "static LINKAGE_INLINE int",
             Asks::Diagnoses => "static LINKAGE_COLD void",
         }
     }

@@ -139,7 +139,7 @@ fn read(mechanism: &Mechanism, paths: &Paths) -> TokenStream {
     }
 }
 
-/// Hands an answer, or why there is none, over to C.
+/// Hands an answer, or why there is none, over to C. The error of an answer is left as it was.
 fn reply(paths: &Paths) -> TokenStream {
     let [str, i32, error] = ["str", "i32", "CError"].map(|item| paths.item(item));
     let [result, ok, err] = ["Result", "Ok", "Err"].map(|item| paths.item(item));
@@ -157,7 +157,7 @@ fn reply(paths: &Paths) -> TokenStream {
                 #ok(value_) => {
                     // SAFETY: the pointer is not null, so by the caller's word it can be written.
                     unsafe { to_.write(value_) };
-                    #error::NONE
+                    return 0;
                 }
                 #err(reason_) => reason_,
             };

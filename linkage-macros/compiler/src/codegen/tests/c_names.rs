@@ -95,7 +95,7 @@ const NAMES: &[&str] = &[
     "VR",
     "step",
     "evaluate_0",
-    "linkage_answered",
+    "linkage_refused",
     "linkage_sin_cos",
     "mechanism",
     "error",

@@ -28,15 +28,6 @@ LinkageWhy linkage_why_behind(int is_single, double stand_in)
     return why;
 }
 
-LinkageStatus linkage_answered(LinkageError *error)
-{
-    if (error != NULL) {
-        const LinkageError none = { LINKAGE_OK, 0.0, NULL, 0u, NULL, 0u };
-        *error = none;
-    }
-    return LINKAGE_OK;
-}
-
 LinkageStatus linkage_refused(const LinkageWhy *why, LinkageError *error)
 {
     if (error != NULL) {

@@ -21,7 +21,6 @@ typedef struct LinkageNamed {
 
 LinkageWhy linkage_why(int is_single);
 LinkageWhy linkage_why_behind(int is_single, double stand_in);
-LinkageStatus linkage_answered(LinkageError *error);
 LinkageStatus linkage_refused(const LinkageWhy *why, LinkageError *error);
 LinkageStatus linkage_because(LinkageError *error, LinkageStatus status, const char *name);
 LinkageStatus linkage_not_on_circle(LinkageError *error, double cosine, double sine, const char *name);

@@ -47,6 +47,18 @@
 #define LINKAGE_COLD
 #endif
 
+/* A fast path becomes part of the function that calls it, so that results stay in registers until they are known to be
+ * answers. */
+#if !defined(LINKAGE_INLINE)
+#if defined(__GNUC__)
+#define LINKAGE_INLINE inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define LINKAGE_INLINE __forceinline
+#else
+#define LINKAGE_INLINE inline
+#endif
+#endif
+
 /* Defined where one instruction multiplies and adds with one rounding. */
 #if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
 #define LINKAGE_FUSES 1

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Counts the instructions of a call of printed C on an emulated Cortex-M4F: the `motion_f32` of the manual's flying shear, a
+four-bar with a parameter, in 72 poses. No call of the fast path may take more than MOST, or copy or clear memory.
+
+Optional; needs arm-none-eabi-gcc with newlib, and qemu-system-arm. Debian has them: gcc-arm-none-eabi,
+libnewlib-arm-none-eabi, qemu-system-arm. The program `linkage` is the argument:
+
+    tests/bare/cortex_m4/printed.py target/debug/linkage
+"""
+
+import bisect
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+HERE = ROOT / "tests/bare/cortex_m4"
+MOST = 270
+FLAGS = ["-std=c99", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard", "-ffunction-sections",
+         "--specs=nano.specs", "--specs=nosys.specs", "-nostartfiles", f"-T{HERE / 'memory.x'}", "-Wl,--gc-sections",
+         "-Wl,--no-warn-rwx-segments"]
+FUNCTION = "flying_shear_motion_f32"
+CALLER = """
+#include "flying_shear.h"
+int main(void)
+{
+    const FlyingShearF32 shear = flying_shear_default_f32();
+    int i, status = 0;
+    for (i = 0; i < 72; i++) {
+        FlyingShearMotionF32 motion;
+        LinkageError error;
+        status |= (int)flying_shear_motion_f32(&shear, 0.0872664626f * (float)i, 12.0f, 0.5f, &motion, &error);
+    }
+    return status;
+}
+"""
+
+
+def declaration():
+    """The declaration on the manual's page about C."""
+    page = (ROOT / "linkage-core/docs/control.md").read_text()
+    return re.search(r"```text\n(mechanism! \{.*?\n\})\n```", page, flags=re.S).group(1)
+
+
+def functions(program):
+    """Addresses and names."""
+    text = subprocess.run(["arm-none-eabi-objdump", "-d", program], check=True, text=True, capture_output=True).stdout
+    return sorted((int(address, 16), name) for address, name in re.findall(r"^([0-9a-f]+) <(.*)>:", text, flags=re.M))
+
+
+def counts(folder, level):
+    """The instructions of each call, by the function that they belong to."""
+    program, log = folder / "program", folder / "log"
+    sources = [str(path) for path in [HERE / "start.c", folder / "caller.c", *folder.glob("*linkage_*.c"), folder / "flying_shear.c"]]
+    subprocess.run(["arm-none-eabi-gcc", *FLAGS, level, f"-I{folder}", *sources, "-lm", "-o", program],
+                   check=True, stderr=subprocess.DEVNULL)
+    subprocess.run(["qemu-system-arm", "-M", "mps2-an386", "-nographic", "-semihosting-config", "enable=on,target=native",
+                    "-singlestep", "-d", "nochain,exec", "-D", log, "-kernel", program], check=True, timeout=120)
+    table = functions(program)
+    addresses = [address for address, _ in table]
+    calls, is_in = [], False
+    for address in re.findall(r"\[[0-9a-f]+/([0-9a-f]+)/", log.read_text()):
+        name = table[bisect.bisect_right(addresses, int(address, 16)) - 1][1]
+        if name == FUNCTION and not is_in:
+            calls.append({})
+        is_in = name != "main" and (is_in or name == FUNCTION)
+        if is_in:
+            calls[-1][name] = calls[-1].get(name, 0) + 1
+    return calls
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "shear.rs").write_text(declaration())
+        (folder / "caller.c").write_text(CALLER)
+        subprocess.run([Path(sys.argv[1]).resolve(), "export", "c", "shear.rs", "-o", "."], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        for level in ("-O2", "-O3", "-Os"):
+            calls = counts(folder, level)
+            totals = [sum(call.values()) for call in calls]
+            print(f"{FUNCTION} {level}: {min(totals)} to {max(totals)} instructions in {len(calls)} calls")
+            met = {name for call in calls for name in call}
+            if max(totals) > MOST or met & {"memcpy", "memset"} or len(calls) != 72:
+                raise SystemExit(f"more than {MOST}, or memory is copied or cleared: {sorted(met)}")
+
+
+if __name__ == "__main__":
+    main()
