@@ -14,7 +14,6 @@ use crate::syntax::tree::{
 
 use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::messages::LEAST_SINE;
-use crate::model::drawn::writer::Writer;
 use crate::model::mechanism::Mechanism;
 use crate::model::modes::PARALLEL;
 
@@ -90,15 +89,11 @@ fn corners_as_drawn(bodies: &Bodies<'_>, [b, c, d]: [usize; 3]) -> Vec<usize> {
     (0..machine.pins.len()).filter(is_corner).collect()
 }
 
-impl Writer<'_, '_> {
-    /// Notes the corners of two bars that are drawn as a parallelogram.
-    pub(super) fn note_parallel(&mut self, pins: [usize; 3]) {
-        let name = |pin: usize| self.bodies.pins[pin].name.clone();
-        let corners: Vec<_> = corners_as_drawn(self.bodies, pins).into_iter().map(name).collect();
-        if !corners.is_empty() {
-            self.links.parallels.insert(name(pins[1]), corners);
-        }
-    }
+/// The pin between two bars that are drawn as a parallelogram, and its corners.
+pub(super) fn parallel(bodies: &Bodies<'_>, pins: [usize; 3]) -> Option<(Ident, Vec<Ident>)> {
+    let name = |pin: usize| bodies.pins[pin].name.clone();
+    let corners: Vec<_> = corners_as_drawn(bodies, pins).into_iter().map(name).collect();
+    (!corners.is_empty()).then(|| (name(pins[1]), corners))
 }
 
 /// The parallelograms among the statements that take their mode from the drawing: those that are restated with it.
@@ -119,9 +114,7 @@ fn corners_of_statement(bodies: &Bodies<'_>, statement: &Statement) -> Option<(I
     let [first, second] = &group.legs[..] else { return None };
     let pin = group.pin.as_ref()?;
     let pins = [place(first.joint.as_ref()?)?, place(pin)?, place(second.joint.as_ref()?)?];
-    let corners = corners_as_drawn(bodies, pins).into_iter();
-    let corners: Vec<_> = corners.map(|corner| bodies.pins[corner].name.clone()).collect();
-    (!corners.is_empty()).then(|| (pin.clone(), corners))
+    parallel(bodies, pins)
 }
 
 /// Writes the mode of groups that stay parallelograms into their statements.

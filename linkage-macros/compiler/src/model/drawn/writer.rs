@@ -15,7 +15,7 @@ use crate::model::drawn::frame_shifts::FrameShifts;
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::free_names::FreeNames;
 use crate::model::drawn::group_statement::group_of;
-use crate::model::drawn::modes_as_drawn::{parallels, with_mode};
+use crate::model::drawn::modes_as_drawn::{parallel, parallels, with_mode};
 use crate::model::drawn::written::{Sought, Written};
 use crate::model::drawn::{is_point_of, sorted};
 use crate::model::drawn_links::DrawnLinks;
@@ -245,7 +245,7 @@ impl<'b, 't> Writer<'b, 't> {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
                 let bars = [(0, u), (1, w)].map(|(leg, pin)| self.bar(&dyad.legs[leg], [pin, v]));
                 let lengths = bars.each_ref().map(DrawnBar::length);
-                self.note_parallel([u, v, w]);
+                self.links.parallels.extend(parallel(self.bodies, [u, v, w]));
                 let mode = if sign > 0.0 { "left" } else { "right" };
                 let mode = self.mode(dyad.legs[0].bodies[0], mode);
                 let fields = vec![("lengths", GroupFieldValue::Pair(lengths)), mode];
