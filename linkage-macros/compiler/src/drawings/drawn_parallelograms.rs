@@ -165,3 +165,54 @@ fn bars_by_hand_that_are_nearly_equal_in_pairs_are_noted() {
     assert_eq!(near_note(&bars("4m, 1m", "right")), [""; 0]);
     assert_eq!(near_note(&bars("4.0000001m, 1m", "side")), [""; 0]);
 }
+
+/// A change point is said where a constant mode does not follow the motion, and only there.
+#[test]
+fn change_points_are_noted_with_what_to_do() {
+    let bars = |lengths: &str, mode: &str| {
+        format!(
+            "ground A(0, 0), D(4m, 0); crank AB(A) -> B {{ length: 1m, angle: theta }} param side: mode = left;
+             rrr BC(B), DC(D) -> C {{ lengths: ({lengths}), mode: {mode} }}
+             rrr CE(C), DE(D) -> E {{ lengths: (5m, 5m), mode: side }}"
+        )
+    };
+    let follow = "a parameter, `param side: mode = …;`, and a `Tracker` follow the motion through";
+    assert_eq!(
+        notes(&bars("4m, 1m", "left")),
+        [format!(
+            "`BC, DC` can be assembled in one way alone at `theta` = 0° and 180°: a change point\n`mode: parallel` \
+             keeps it a parallelogram; {follow}"
+        )]
+    );
+    // A kite, and Grashof's sum of the shortest and the longest.
+    for (lengths, angles) in [("1m, 4m", "0° and 180°"), ("2m, 3m", "180°")] {
+        let found = notes(&bars(lengths, "right"));
+        let expected = format!(
+            "one way alone at `theta` = {angles}: a change point\nbehind it the mode stands"
+        );
+        assert!(found.len() == 1 && found[0].contains(&expected), "{lengths}: {found:?}");
+    }
+    for (lengths, mode) in [("4m, 1m", "side"), ("4m, 1m", "parallel"), ("3m, 3m", "left")] {
+        assert_eq!(notes(&bars(lengths, mode)), [""; 0], "{lengths} {mode}");
+    }
+}
+
+/// Lengths that are not drawn in the place of a pin stay what they are.
+#[test]
+fn a_parameter_that_moves_a_pin_of_several_links_is_noted() {
+    let shear = |pin: &str, length: &str| {
+        format!(
+            "param crank = 80mm; param tip = 90mm; ground A(0, 0), D(665.7mm, 0);
+             pin B({pin}, 0), C(600mm, 360mm), blade(570mm, tip);
+             link AB(A, B){length} link BC(B, C, blade), DC(D, C); drive AB.angle = theta;"
+        )
+    };
+    assert_eq!(
+        notes(&shear("crank", ";")),
+        [
+            "`crank` moves `B`, and so changes `AB` and `BC`\nto change the length of one link, draw `B` with numbers \
+             and give it to the link: `{ length: crank }`"
+        ]
+    );
+    assert_eq!(notes(&shear("80mm", "{ length: crank }")), [""; 0]);
+}

@@ -22,14 +22,14 @@ pub(super) fn scope<'d>(
     diagnostics: &'d mut Diagnostics,
 ) -> Scope<'d> {
     let driving = drive_by::named_by(tree).map(Ident::to_string);
-    let longest_in_small_units = longest_in_small_units(tree);
+    let longest_with_unit = longest_with_unit(tree);
     let empty = Mechanism::empty(tree.docs.clone(), tree.visibility.clone(), tree.name.clone());
     Scope {
         diagnostics,
         unread,
         names: names(tree),
         mechanism: Mechanism { references: References::of(tree), ..empty },
-        facts: Facts::of(longest_in_small_units, driving),
+        facts: Facts::of(longest_with_unit, driving),
         drawn: None,
     }
 }
@@ -63,14 +63,13 @@ pub(super) fn names(tree: &Declaration) -> Names {
     names
 }
 
-/// The longest length with a unit, where each of them is in a unit smaller than a metre.
-pub(super) fn longest_in_small_units(tree: &Declaration) -> Option<Exact> {
-    let (mut longest, mut has_metres) = (None, false);
+/// The longest length with a unit.
+pub(super) fn longest_with_unit(tree: &Declaration) -> Option<Exact> {
+    let mut longest = None;
     let mut note = |expr: &tree::Expr| {
         let ExprKind::Number { digits, units } = &expr.kind else { return };
         let [(name, 1)] = &units[..] else { return };
         let Some((Dimension::LENGTH, factor)) = unit(name) else { return };
-        has_metres |= name == "m";
         let Some(value) = Exact::decimal(digits).map(|value| value.mul(&factor)) else { return };
         if longest.as_ref().is_none_or(|longest| value.cmp_value(longest).is_gt()) {
             longest = Some(value);
@@ -79,5 +78,5 @@ pub(super) fn longest_in_small_units(tree: &Declaration) -> Option<Exact> {
     for statement in &tree.statements {
         expressions(statement, &mut |expr| expr.each_part(&mut note));
     }
-    longest.filter(|longest: &Exact| !has_metres && !longest.is_zero())
+    longest.filter(|longest: &Exact| !longest.is_zero())
 }

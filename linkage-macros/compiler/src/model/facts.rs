@@ -36,8 +36,8 @@ pub(super) struct Facts {
     pub gravity_at: Option<Span>,
     /// The load that drives an input.
     pub driving: Option<String>,
-    /// The longest length that has a unit, where all of them are smaller than a metre.
-    pub longest_in_small_units: Option<Exact>,
+    /// The longest length that has a unit.
+    pub longest_with_unit: Option<Exact>,
     /// The longest length without a unit, and where it stands.
     pub longest_bare_length: Option<(Exact, Extent)>,
     /// True if a length anywhere has a unit.
@@ -105,8 +105,8 @@ struct Location {
 
 impl Facts {
     /// The facts that hold before the first statement is resolved.
-    pub(super) fn of(longest_in_small_units: Option<Exact>, driving: Option<String>) -> Self {
-        Self { longest_in_small_units, driving, ..Self::default() }
+    pub(super) fn of(longest_with_unit: Option<Exact>, driving: Option<String>) -> Self {
+        Self { longest_with_unit, driving, ..Self::default() }
     }
 
     /// The unknown that is searched: one that is not solved yet.

@@ -18,11 +18,11 @@ use crate::model::units::{is_beside_si, unit};
 
 /// A bare length from which on a unit is asked for, in metres: few mechanisms are as long, and most
 /// numbers of millimetres are longer.
-const LONG: i64 = 100;
+const LONG: i64 = 10;
 
-/// Where all units are smaller than a metre, a bare length of this many metres that is also this many
-/// times as long as the longest with a unit has lost its own. A forgotten `mm` makes a length a thousand
-/// times as long as it is; metres beside a small offset, as in `length: 1` and `offset: 2mm`, are meant.
+/// A bare length of `LONG` metres that is also this many times as long as the longest with a unit has lost its own. A
+/// forgotten `mm` makes a length a thousand times as long as it is; metres beside a small offset, as in `length: 1` and
+/// `offset: 2mm`, are meant.
 const MANY: i64 = 10;
 
 /// A literal is a number, and its units are among the known.
@@ -227,8 +227,8 @@ pub(super) fn no_bare_number_beside_a_unit(
     None
 }
 
-/// A length without a unit is in metres: among millimetres, one that is many times as long as all
-/// others has lost its unit. Remembers the longest for declarations without units.
+/// A length without a unit is in metres: among lengths with units, one that is many times as long as all of
+/// them has lost its own. Remembers the longest for declarations without units.
 pub(super) fn bare_length_is_as_others(
     scope: &mut Scope<'_>,
     span: Extent,
@@ -248,10 +248,10 @@ pub(super) fn bare_length_is_as_others(
         _ => return Some(()),
     };
     let value = absolute(value);
-    let many = Exact::integer(MANY);
-    let longest = scope.facts.longest_in_small_units.as_ref();
+    let [long, many] = [LONG, MANY].map(Exact::integer);
+    let longest = scope.facts.longest_with_unit.as_ref();
     let is_as_others = longest.is_none_or(|longest| {
-        value.cmp_value(&many).is_lt() || value.cmp_value(&longest.mul(&many)).is_lt()
+        value.cmp_value(&long).is_lt() || value.cmp_value(&longest.mul(&many)).is_lt()
     });
     if !is_as_others {
         let is_told = param
@@ -285,6 +285,16 @@ pub(super) fn bare_lengths_are_of_a_machine(scope: &mut Scope<'_>) {
         return;
     }
     let (length, span) = (length.clone(), *span);
+    if scope.drawn.is_some() {
+        // The lengths of a drawing follow from the places of pins, and nobody has written them.
+        let message = format!(
+            "a length of {} m in the drawing; write its numbers with a unit, `mm`, or `m` if it is meant",
+            shown(&length)
+        );
+        let reason = "no length of this declaration has a unit, and a bare number is in metres";
+        scope.diagnostics.error_because(span, message, reason);
+        return;
+    }
     length_needs_its_unit(scope, span, &length, "no length of this declaration has a unit");
 }
 

@@ -224,6 +224,7 @@ fn walked<'d>(
     contacts::frictions_are_pressed(&mut scope, tree);
     scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);
     rotatability::cranks_can_turn(&mut scope);
+    rotatability::note_change_points(&mut scope);
     unknowns::ends_can_be_assembled(&mut scope);
     scope
 }

@@ -1,7 +1,7 @@
 //! Over which angles a crank turns: what the dimensions of a dyad of constants say before anything
 //! is solved.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::exact::Exact;
 use crate::reach::absolute;
@@ -12,7 +12,7 @@ use super::assembly::constants;
 use super::folding::shown;
 use super::mechanism::{
     AngleSum, Carrier, Drive, Group, GroupId, GroupName, GuideDirection, GuideId, InputId, LinkId,
-    Mechanism, Point, PointId, Rotatability, Scalar, Step, Through,
+    Mechanism, Mode, Point, PointId, Rotatability, Scalar, Step, Through,
 };
 use super::scope::Scope;
 
@@ -208,5 +208,42 @@ pub(super) fn cranks_can_turn(scope: &mut Scope<'_>) {
             "`{title}` cannot be assembled at any angle of `{crank}`; change its dimensions"
         );
         scope.diagnostics.error_because(keyword.span(), message, &found.reason);
+    }
+}
+
+/// Notes groups whose two modes meet at an angle of a crank, where a constant mode does not follow the motion.
+pub(super) fn note_change_points(scope: &mut Scope<'_>) {
+    let groups = scope.mechanism.group_steps();
+    let constant = groups.filter(|group| matches!(group.mode(), Some(Mode::Fixed(_))));
+    let constant: HashSet<GroupId> = constant.map(|group| group.id).collect();
+    let is_passed = |found: &&Rotatability| {
+        !found.turn.change_points.is_empty() && constant.contains(&found.group)
+    };
+    for found in scope.mechanism.rotatabilities.iter().filter(is_passed) {
+        let GroupName { keyword, title, .. } = &scope.mechanism.groups[found.group.index()];
+        let angle = match found.input {
+            Some(input) => scope.mechanism.inputs[input.index()].name.to_string(),
+            None => format!("{}.angle", scope.mechanism.links[found.crank.index()].name),
+        };
+        // Adding zero takes the sign off minus zero.
+        let shown = |angle: &f64| format!("{}°", (angle * 100.0).round() / 100.0 + 0.0);
+        let angles: Vec<_> = found.turn.change_points.iter().map(shown).collect();
+        let message = format!(
+            "`{title}` can be assembled in one way alone at `{angle}` = {}: a change point",
+            angles.join(" and ")
+        );
+        let follow =
+            "a parameter, `param side: mode = …;`, and a `Tracker` follow the motion through";
+        let reason = match (scope.drawn.is_some(), found.is_parallelogram) {
+            (true, _) => format!(
+                "behind it the solver may be in another assembly than the machine; change a length, or declare the \
+                 group by hand: {follow}"
+            ),
+            (false, true) => format!("`mode: parallel` keeps it a parallelogram; {follow}"),
+            (false, false) => {
+                format!("behind it the mode stands for another motion; {follow}")
+            }
+        };
+        scope.diagnostics.note_because(keyword.span(), message, reason);
     }
 }

@@ -6,6 +6,7 @@ mod c_export;
 mod c_friction;
 mod c_names;
 mod c_only;
+mod c_parallelograms;
 mod c_printed;
 mod c_program;
 mod c_roots;

@@ -35,6 +35,7 @@ pub(super) mod printed;
 mod rails;
 mod read_guides;
 mod reader;
+mod shared_params;
 mod slides;
 mod sorted;
 mod values;
@@ -128,6 +129,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let mut bodies = reader.machine(drives, frames)?;
     bodies.machine.motions = values.motions(&bodies);
     bare_links::note_slight_offsets(&bodies, values.scope.diagnostics);
+    shared_params::note_params_of_pins(&bodies, values.scope.diagnostics);
     let mut steps = steps(&bodies, values.scope.diagnostics)?;
     values.drives_agree(&bodies)?;
     if lengths::pose_has_declared_lengths(&mut bodies, values.scope.diagnostics)? {

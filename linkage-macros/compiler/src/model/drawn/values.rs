@@ -132,7 +132,7 @@ impl<'d> Measured<'d> {
         let numbers = numbers_of(tree);
         let mut scope = begun::scope(&numbers, &tree.unread, diagnostics);
         scope.names.pins = pins_of(tree).map(ToString::to_string).collect();
-        scope.facts.longest_in_small_units = begun::longest_in_small_units(tree);
+        scope.facts.longest_with_unit = begun::longest_with_unit(tree);
         numbers_of_a_drawing(&mut scope, &numbers, Forgetting::OfPins);
         order::statements_are_in_order(&mut scope, &numbers);
         if scope.diagnostics.count() != before {

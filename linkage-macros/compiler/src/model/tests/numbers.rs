@@ -146,7 +146,7 @@ fn a_bare_number_is_no_forgotten_unit() {
     ]);
 }
 
-/// Lengths without any unit are metres, and few machines are a hundred of them long.
+/// Lengths without any unit are metres, and few machines are ten of them long.
 #[test]
 fn lengths_without_any_unit_are_of_a_machine() {
     const BARE: &str = "input t: angle; ground A(0, 0), D(665.7, 0); \
@@ -165,7 +165,28 @@ fn lengths_without_any_unit_are_of_a_machine() {
             "before -250: a length of 250 m; write `250mm`, or `250m` if it is meant / no length of this \
              declaration has a unit, and a bare number is in metres",
         ),
-        ("input t: angle; ground A(0, 0);", "crank AB(A) -> B { length: 99, angle: t }", ""),
+        (
+            "input t: angle; ground A(0, 0);",
+            "crank AB(A) -> B { length: 10, angle: t }",
+            "10: a length of 10 m; write `10mm`, or `10m` if it is meant / no length of this declaration has a unit, \
+             and a bare number is in metres",
+        ),
+        ("input t: angle; ground A(0, 0);", "crank AB(A) -> B { length: 9.9, angle: t }", ""),
+        ("input t: angle; ground A(0, 0);", "crank AB(A) -> B { length: 99m, angle: t }", ""),
+        (
+            NOTHING,
+            "input theta: angle; ground A(0, 0), D(60, 10); pin B(15, 0), C(55, 40), E(70, 60);
+             link crank(A, B), coupler(B, C, E), rocker(C, D); drive crank.angle = theta;",
+            "E#1: a length of 81.3173 m in the drawing; write its numbers with a unit, `mm`, or `m` if it is meant / no \
+             length of this declaration has a unit, and a bare number is in metres",
+        ),
+        (
+            NOTHING,
+            "input theta: angle; ground A(0, 0), D(0.6m, 0), P(240, 0); pin B(0.15m, 0), C(0.5m, 0.4m);
+             link crank(A, B), coupler(B, C), rocker(C, D); drive crank.angle = theta;",
+            "240: a length of 240 m; write `240mm`, or `240m` if it is meant / every length with a unit is much \
+             shorter, and a bare number is in metres",
+        ),
     ]);
 }
 
@@ -199,7 +220,8 @@ fn a_bare_length_among_millimetres_is_not_the_longest_by_far() {
         ),
         (MILLIMETRES, &crank("9.9"), ""),
         (MILLIMETRES, &crank("100m"), ""),
-        ("input t: angle; ground A(0, 0), D(2m, 3mm);", &crank("100"), ""),
+        ("input t: angle; ground A(0, 0), D(2m, 3mm);", &crank("100"), &told("100")),
+        ("input t: angle; ground A(0, 0), D(2m, 3mm);", &crank("19.9"), ""),
         ("input t: angle; ground A(0, 0), D(11m, 3mm);", &crank("12"), ""),
         ("input t: angle; ground A(0, 0), D(2000mm, 0);", &crank("19.9"), ""),
         ("input t: angle; ground A(0, 0), D(2000mm, 0);", &crank("20"), &told("20")),

@@ -33,6 +33,8 @@ fn all_mistakes_of_a_declaration_are_reported() {
              a: no point named `a`; a point with a similar name exists: `A`\n\
              0mm: the length of `AB` is 0 m; make it greater than zero\n\
              mod: `rrr` has no field `mod`; a field with a similar name exists: `mode`\n\
+             374: a length of 374 m; write `374mm`, or `374m` if it is meant / every length with a unit is much \
+             shorter, and a bare number is in metres\n\
              B#3: `B` is a point, and the third letter of `rrp` is P: it needs a guide / a group \
              with a point there is `rrr`\n\
              BD: no link named `BD`; a link with a similar name exists: `BC`\n\
