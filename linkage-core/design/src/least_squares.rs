@@ -16,7 +16,7 @@ pub struct LeastSquares {
 
 impl Default for LeastSquares {
     fn default() -> Self {
-        // What is below the rounding of a sum of squares is nothing.
+        // A sum of squares is rounded to about this.
         Self { steps: 200, reduction: 1e-15 }
     }
 }
