@@ -184,3 +184,36 @@ fn the_unknown_of_a_search_counts_no_turns() {
         assert!((gap - 0.2).abs() < 1e-10, "{turn}: {gap}");
     }
 }
+
+/// A link that is driven against a crank: in the drawing its coil and its stop are as far turned as they are drawn, to half
+/// a turn, and from there they count.
+#[test]
+fn a_link_that_is_driven_against_a_crank_is_turned_as_it_is_drawn() {
+    for (ab, bc) in
+        (0..18).map(|nth| (120.0 * f64::from(nth % 3) - 70.0, 20.0 * f64::from(nth) - 175.0))
+    {
+        let angles = [("ground and BC", bc), ("AB and BC", bc - ab), ("BC and AB", ab - bc)];
+        for (between, drawn) in angles {
+            let b = [0.3 * f64::to_radians(ab).cos(), 0.3 * f64::to_radians(ab).sin()];
+            let statements = format!(
+                    "input t, u: angle; ground A(0, 0); {} {} link AB(A, B), BC(B, C); drive AB.angle = t;
+                     drive BC.angle - AB.angle = u; mass 1kg on AB uniform; {}
+                     stop end BC.angle between (-3rad, 3rad) {{ stiffness: 5(N*m/rad) }} output coil.torque, end.gap;",
+                    pin("B", [0.0, 0.0], 0.3, ab),
+                    pin("C", b, 0.2, bc),
+                    coil(between),
+                );
+            let machine = of(&statements);
+            let sign = if between.starts_with("BC") { -1.0 } else { 1.0 };
+            let drawn = within_half_a_turn(f64::to_radians(drawn));
+            for by in [0.0, 8.0] {
+                is_wound(&machine, &[0.0, by], drawn + sign * by, &statements);
+            }
+            let inputs = machine.mechanism.drawn.clone().expect("drives determine the inputs");
+            let inputs: Vec<_> = inputs.iter().map(|at| [*at, 0.0, 0.0]).collect();
+            let gap = machine.answers("forces", &inputs).named("end.gap");
+            let wanted = 3.0 - f64::to_radians(bc).abs();
+            assert!((gap - wanted).abs() < OFF, "{statements}: {gap} in place of {wanted}");
+        }
+    }
+}

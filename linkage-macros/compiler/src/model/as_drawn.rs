@@ -4,6 +4,8 @@
 //! A group may have a joint the other way round, or measure it from another place: which it does is a matter of what
 //! is driven. What a drawing says of the joint is the same whatever that is.
 
+use std::f64::consts::{PI, TAU};
+
 use proc_macro2::Ident;
 
 use super::expr::Scalar;
@@ -20,6 +22,15 @@ pub(crate) struct AsDrawn {
     pub turns: Vec<(LinkId, Scalar)>,
     /// The links that unknowns of searches turn.
     pub searched: Vec<LinkId>,
+    /// The angles of links in the drawing, with the turns that their drives count.
+    pub angles: Vec<(LinkId, f64)>,
+}
+
+/// The whole turns that bring an angle to within half a turn. Half a turn backwards counts as one forwards, to more than
+/// rounding and the last digits of a drawing, so that these change no angle by a turn.
+pub(in crate::model) fn whole_turns(angle: f64) -> f64 {
+    const LAST_DIGITS: f64 = 1e-6;
+    ((PI + LAST_DIGITS - angle) / TAU).floor()
 }
 
 /// A link that is drawn on a guide. With the slide s of a group's joint its slide is ±s + `shift`.

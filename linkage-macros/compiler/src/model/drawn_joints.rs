@@ -44,6 +44,8 @@ pub(in crate::model) fn links_are_as_drawn(scope: &mut Scope<'_>) {
     };
     let searched = drawn.searched.iter().filter_map(|name| link(name, scope)).collect();
     scope.mechanism.as_drawn.searched = searched;
+    let angles = drawn.angles.iter().filter_map(|(name, angle)| Some((link(name, scope)?, *angle)));
+    scope.mechanism.as_drawn.angles = angles.collect();
     for [driven, by] in &drawn.drives {
         if let (Some(driven), Some(by)) = (link(driven, scope), link(by, scope)) {
             scope.mechanism.as_drawn.drives.push(DrawnDrive { link: driven, by });

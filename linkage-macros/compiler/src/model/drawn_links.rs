@@ -26,6 +26,8 @@ pub(in crate::model) struct DrawnLinks {
     pub searched: Vec<Ident>,
     /// The pins of two bars that are drawn as a parallelogram, and the corners opposite to each.
     pub parallels: HashMap<Ident, Vec<Ident>>,
+    /// The angles of links in the drawing, with the turns that their drives count.
+    pub angles: Vec<(Ident, f64)>,
     /// Links that are driven, and those whose drivers drive them.
     pub drives: Vec<[Ident; 2]>,
 }

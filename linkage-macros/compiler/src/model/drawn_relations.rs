@@ -1,6 +1,6 @@
 //! Slides, drives and directions of links, read from what is drawn of them.
 
-use super::as_drawn::DrawnSlide;
+use super::as_drawn::{DrawnSlide, whole_turns};
 use super::mechanism::{Drive, LinkId, Mechanism, PointId, Scalar};
 
 impl Mechanism {
@@ -23,6 +23,18 @@ impl Mechanism {
     /// The angle of a link's frame against that of its group, where they differ.
     pub(crate) fn turn_of(&self, link: LinkId) -> Option<&Scalar> {
         self.as_drawn.turns.iter().find(|(turned, _)| *turned == link).map(|(_, turn)| turn)
+    }
+
+    /// The turns that bring a sum of links' angles to within half a turn in the drawing, where the drive of one of them
+    /// says that it has turned farther than it is drawn; none elsewhere.
+    pub(crate) fn turns_of_drives(&self, links: &[(LinkId, i64)]) -> i64 {
+        let drawn = |link: LinkId| self.as_drawn.angles.iter().find(|(known, _)| *known == link);
+        let drawn = links.iter().filter_map(|&(link, times)| Some((drawn(link)?.1, times)));
+        let drawn: Vec<_> = drawn.collect();
+        if drawn.iter().all(|(angle, _)| whole_turns(*angle) == 0.0) {
+            return 0;
+        }
+        whole_turns(drawn.iter().map(|(angle, times)| angle * *times as f64).sum()) as i64
     }
 
     /// True if the unknown of a search turns a link.

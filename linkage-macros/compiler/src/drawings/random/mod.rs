@@ -30,14 +30,10 @@ use outcomes::{Outcomes, Sample};
 const REFUSED: [&str; 5] =
     ["class III or higher", "fight", "a dead point", "draw another pose", "close to the drawing"];
 
-/// Machines by their numbers that the compiler gets wrong, to be taken in when it does not: the search of this one ends
-/// inside the stretch that the documentation gives, along an input of which it says nothing.
-const WRONG: [u64; 1] = [72];
-
 /// Machines of consecutive seeds, every number of which is right.
 fn outcomes(seeds: std::ops::Range<u64>, sample: impl Fn(u64) -> Sample) -> Outcomes {
     let mut outcomes = Outcomes::default();
-    for nth in seeds.filter(|nth| !WRONG.contains(nth)) {
+    for nth in seeds {
         outcomes.take(nth.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1, sample(nth));
     }
     for wrong in &outcomes.wrong {

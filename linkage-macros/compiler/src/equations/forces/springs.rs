@@ -13,8 +13,9 @@
 //! # Between two bodies
 //! φ is the angle of the second against the first and the free angle; on the second acts −k φ − c φ̇,
 //! its opposite on the first. Energy: ½ k φ². Where cranks turn both, or guides that inputs turn, or where they differ by
-//! what such turn, φ is the sum of their angles. Elsewhere φ lies in (−π, π]: it comes from the two unit vectors, or is a
-//! sum of angles that stand still.
+//! what such turn, φ is the sum of their angles. In a drawing that is taken to within half a turn where a drive, as one
+//! against a crank, says that its link has turned farther than it is drawn. Elsewhere φ lies in (−π, π]: it comes from the
+//! two unit vectors, or is a sum of angles that stand still.
 //!
 //! # Source
 //! Norton, Design of Machinery, ch. 10 and 15.
@@ -177,7 +178,12 @@ pub(in crate::equations) fn twist<'s>(kinematics: &Kinematics<'s>, id: SpringId)
         unreachable!("the model asks springs between bodies alone")
     };
     let free = numbers(kinematics, id.index()).free;
-    let mut turned = Turned::by(Jet::constant(-free));
+    let of = |body, times| match body {
+        Carrier::Ground => None,
+        Carrier::Link(link) => Some((link, times)),
+    };
+    let links: Vec<_> = of(second, 1).into_iter().chain(of(first, -1)).collect();
+    let mut turned = Turned::by(Jet::constant(-free), whole_turns(kinematics, &links));
     turned.add_body(kinematics, second, 1);
     turned.add_body(kinematics, first, -1);
     if let Some(sum) = turned.sum() {
@@ -197,7 +203,9 @@ pub(super) fn turned_from<'s>(
     from: Sym<'s>,
 ) -> Jet<'s> {
     let rest = kinematics.jet(&sum.rest) + Jet::constant(-from);
-    let mut turned = Turned::by(rest);
+    let links = sum.links.iter().map(|&(link, times)| (link, i64::from(times)));
+    let whole = whole_turns(kinematics, &links.collect::<Vec<_>>());
+    let mut turned = Turned::by(rest, whole);
     for &(link, times) in &sum.links {
         turned.add_body(kinematics, Carrier::Link(link), i64::from(times));
     }
@@ -218,11 +226,20 @@ struct Turned<'s> {
     /// The links among them that cranks turn, as often as they are counted.
     cranks: Vec<(LinkId, i64)>,
     rest: Jet<'s>,
+    /// The whole turns by which drives say more than the drawing.
+    whole: Option<Sym<'s>>,
+}
+
+/// The angle by which drives have turned a sum of links' angles in the drawing beyond half a turn.
+fn whole_turns<'s>(kinematics: &Kinematics<'s>, links: &[(LinkId, i64)]) -> Option<Sym<'s>> {
+    let turns = kinematics.mechanism.turns_of_drives(links);
+    let builder = kinematics.builder;
+    (turns != 0).then(|| builder.integer(turns) * builder.constant(Exact::pi()).twice())
 }
 
 impl<'s> Turned<'s> {
-    fn by(rest: Jet<'s>) -> Self {
-        Self { links: Vec::new(), cranks: Vec::new(), rest }
+    fn by(rest: Jet<'s>, whole: Option<Sym<'s>>) -> Self {
+        Self { links: Vec::new(), cranks: Vec::new(), rest, whole }
     }
 
     /// The angle where nothing but drivers and guides says it. One that stands still is no count of turns.
@@ -230,7 +247,7 @@ impl<'s> Turned<'s> {
         let is_none = |counted: &[(LinkId, i64)]| counted.iter().all(|(_, times)| *times == 0);
         is_none(&self.links).then(|| match is_none(&self.cranks) && self.rest.is_fixed() {
             true => Jet::constant(within_half_a_turn(self.rest.value)),
-            false => self.rest,
+            false => self.whole.map_or(self.rest, |whole| self.rest + Jet::constant(whole)),
         })
     }
 

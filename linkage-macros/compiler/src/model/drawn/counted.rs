@@ -3,6 +3,8 @@
 //! A link that is driven turns as its drive says. The angle of every other link lies within half a turn in the drawing,
 //! whatever its group measures it from.
 
+use proc_macro2::Ident;
+
 use crate::chain::machine::GROUND;
 use crate::chain::plane::Complex;
 
@@ -22,6 +24,12 @@ impl Writer<'_, '_> {
             Some(counted) => counted + self.turns.turn_of(self.name(body)),
             None => self.bodies.drawn_angle(body),
         }
+    }
+
+    /// Those of all links that groups have made.
+    pub(super) fn counted_angles(&self) -> Vec<(Ident, f64)> {
+        let made = (0..self.counted.len()).filter(|&body| self.counted[body].is_some());
+        made.map(|body| (self.name(body).clone(), self.counted_as_written(body))).collect()
     }
 
     /// The angle of the frame that a group has given a body by now.

@@ -4,13 +4,14 @@
 //! not, it stays an expression of what the user has written, so that a parameter in a pin is a
 //! parameter of the solver.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use proc_macro2::{Ident, Span};
 
 use crate::exact::Exact;
 use crate::syntax::tree::{BinaryOp, Expr, ExprKind};
 
+use crate::model::as_drawn::whole_turns;
 use crate::model::units::unit;
 
 /// A number of the drawing.
@@ -331,15 +332,10 @@ pub(super) fn root_of(square: Expr, at: Span) -> Expr {
     Expr { kind: ExprKind::Call(Ident::new("sqrt", at), vec![square]), span: at.into() }
 }
 
-/// The whole turns that bring an angle to within half a turn. Half a turn backwards counts as one forwards, to more than
-/// rounding and the last digits of a drawing, so that these change no angle by a turn.
-fn whole_turns(angle: f64) -> f64 {
-    const LAST_DIGITS: f64 = 1e-6;
-    ((PI + LAST_DIGITS - angle) / TAU).floor()
-}
-
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
 
     #[test]

@@ -87,13 +87,7 @@ impl Fitted<'_> {
                 let reach = pen.float(*reach, "m");
                 let argument = writing.chain(from_middle, BinaryOp::Div, reach);
                 lets.push((&names.argument, argument));
-                let mut powers = powers.clone();
-                powers[0] += drawn;
-                let fit = writing.polynomial(&powers, &names.argument);
-                let square = || writing.name(&names.argument);
-                let square = writing.product(square(), square()).negated();
-                let falling = sum(writing.number(1.0), square);
-                let fit = writing.with_ends(fit, following.ends, falling, &names.argument);
+                let fit = writing.along_a_slide(&names.argument, (powers, drawn), following.ends);
                 writing.product(unit, fit)
             }
         };
@@ -148,6 +142,21 @@ impl Writing {
         let size = root_of(self.product(falling.clone(), falling.clone()), self.0);
         let falling = self.times(sum(falling, size), 0.5);
         sum(fit, self.product(root_of(falling, self.0), factor))
+    }
+
+    /// The fit over a slide.
+    fn along_a_slide(
+        &self,
+        argument: &Ident,
+        (powers, drawn): (&[f64], f64),
+        ends: Option<DeadEnds>,
+    ) -> Expr {
+        let mut powers = powers.to_vec();
+        powers[0] += drawn;
+        let fit = self.polynomial(&powers, argument);
+        let square = self.product(self.name(argument), self.name(argument)).negated();
+        let falling = sum(self.number(1.0), square);
+        self.with_ends(fit, ends, falling, argument)
     }
 
     /// The bend next to a dead point, where `shifted` is a sum of the cosine and the sine of the drive.

@@ -98,6 +98,7 @@ impl<'b, 't> Writer<'b, 't> {
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
         let (bars, joints) = (self.bars_between_pins(), self.joints());
+        let angles = self.counted_angles();
         let others: Vec<_> = self.bodies.other_statements().collect();
         let restated = |other| self.by_coordinates(other).or_else(|| with_mode(self.bodies, other));
         let placed: Vec<_> = others.iter().map(|(_, other)| restated(other)).collect();
@@ -128,7 +129,7 @@ impl<'b, 't> Writer<'b, 't> {
         let drawn = bodies.links.iter().filter(|link| !link.is_given);
         let hidden = links.hidden.iter().map(|(name, _)| name);
         links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
-        (links.bars, links.joints) = (bars, joints);
+        (links.bars, links.joints, links.angles) = (bars, joints, angles);
         links.parallels.extend(parallels);
         links.names = names.made;
         links.turned = turns.directions();
