@@ -165,6 +165,7 @@ mod slow_path;
 mod solver;
 mod sweep;
 mod tracker;
+mod transfer;
 mod unavailable;
 
 pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost, SearchingForcesCost};
@@ -186,6 +187,7 @@ pub use results::{
 pub use scalar::{Mask, Real, Scalar};
 pub use sweep::{LengthMismatch, Progress, Series, Status, unwanted};
 pub use tracker::Tracker;
+pub use transfer::{Transfer, TransferError};
 pub use unavailable::Inputs;
 
 #[cfg(feature = "nalgebra")]

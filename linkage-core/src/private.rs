@@ -46,6 +46,7 @@ pub use crate::sweep::kinds::*;
 pub use crate::sweep::{
     Entry, LengthMismatch, Progress, Series, Status, put_found, put_solved, put_usable, sweep,
 };
+pub use crate::transfer::{AssembledSide, CarriesOver, Place, Transfer, TransferError, Way};
 pub use crate::unavailable::*;
 pub use crate::with_ad_ as with_ad;
 pub use crate::with_page_ as with_page;

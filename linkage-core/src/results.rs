@@ -208,7 +208,7 @@ impl<T: Real> SlidingDirection<T> {
 }
 
 /// The integer nearest `x`, ties to even. `f64::round` needs the standard library.
-fn nearest_integer(x: f64) -> f64 {
+pub(crate) fn nearest_integer(x: f64) -> f64 {
     // At 1.5·2⁵² the spacing of f64 is one, so that adding it rounds x to an integer, which the
     // subtraction leaves exact; from 2⁵¹ on the fraction's bits are beyond what an angle can tell.
     const SHIFT: f64 = 6_755_399_441_055_744.0;

@@ -1,5 +1,6 @@
 //! The verb `check`: mistakes and notes.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 use linkage_compiler::{Diagnostic, Options, compile};
@@ -21,9 +22,15 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
         all.extend(declarations.into_iter().map(|declaration| (program, declaration)));
     }
     let (mut report, mut values) = (Report::default(), Vec::new());
+    let mut told = HashSet::new();
     for (program, declaration) in &all {
         let output = compile(declaration.tokens.clone(), &Options::default());
-        let found = [output.diagnostics, output.notes].concat();
+        let mut found = [output.diagnostics, output.notes].concat();
+        // A mistake that all sets of inputs share is told once.
+        let path = &program.path;
+        found.retain(|one| {
+            told.insert((path.clone(), format!("{:?} {one:?}", one.first.byte_range())))
+        });
         if arguments.json {
             let told = found.iter().map(|one| value(one, &program.place(declaration, one)));
             values.push(json!({

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use linkage_compiler::{Diagnostic, declarations};
+use linkage_compiler::{Diagnostic, by_set, declarations, solver_name};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 use crate::arguments::Chosen;
@@ -66,7 +66,7 @@ impl Program {
         })?;
         let mut found = declarations(tokens.clone());
         if found.is_empty() && is_declaration(&tokens) {
-            found.push(tokens);
+            found.extend(by_set(tokens));
         }
         if found.is_empty() {
             let why = format!(
@@ -75,12 +75,17 @@ impl Program {
             );
             return Err(Failure::Unusable(why));
         }
-        Ok(found.into_iter().map(|tokens| Declaration { name: name(&tokens), tokens }).collect())
+        Ok(found
+            .into_iter()
+            .map(|tokens| Declaration { name: solver_name(&tokens), tokens })
+            .collect())
     }
 
     /// The call of the macro around a declaration, as it is written, with layout and comments.
     pub(crate) fn call(&self, declaration: &Declaration) -> String {
-        let mut spans = declaration.tokens.clone().into_iter().map(|tree| tree.span().byte_range());
+        let spans = declaration.tokens.clone().into_iter().map(|tree| tree.span().byte_range());
+        // The mark of a set of inputs stands in no text.
+        let mut spans = spans.filter(|range| !range.is_empty());
         let first = spans.next().map_or(0, |range| range.start);
         let last = spans.last().map_or(self.text.len(), |range| range.end);
         let Some(word) = self.text[..first].rfind("mechanism!") else {
@@ -172,14 +177,4 @@ fn is_declaration(tokens: &TokenStream) -> bool {
     });
     let is_struct = trees.next().is_some_and(|tree| tree.to_string() == "struct");
     is_struct && trees.by_ref().any(|tree| is_brace(&tree)) && trees.next().is_none()
-}
-
-/// The name of a declaration: the word behind `struct`.
-fn name(declaration: &TokenStream) -> Option<Ident> {
-    let mut trees = declaration.clone().into_iter();
-    trees.by_ref().find(|tree| matches!(tree, TokenTree::Ident(word) if word == "struct"))?;
-    match trees.next() {
-        Some(TokenTree::Ident(name)) => Some(name),
-        _ => None,
-    }
 }

@@ -1,5 +1,6 @@
 //! Collects mistakes, and stops at the barriers between phases.
 
+mod retold;
 #[cfg(test)]
 mod told;
 
@@ -145,10 +146,7 @@ impl Diagnostics {
     ) {
         let why = Some(reason.to_string());
         let note = Diagnostic::new(Level::Note, at.into(), message.to_string(), why);
-        let is_same = |other: &Diagnostic| {
-            place(other.first) == place(note.first) && other.text() == note.text()
-        };
-        if !self.notes.iter().any(is_same) {
+        if !self.notes.iter().any(|other| other.is(&note)) {
             self.notes.push(note);
         }
     }
@@ -162,16 +160,6 @@ impl Diagnostics {
     /// Takes over a mistake that `syn` found.
     pub(crate) fn adopt(&mut self, error: syn::Error) {
         self.mistakes.extend(Diagnostic::adopted(error));
-    }
-
-    /// Tells words of the messages so far in other words, the first of each pair by the second.
-    pub(crate) fn tell(&mut self, words: &[[String; 2]]) {
-        for diagnostic in self.mistakes.iter_mut().chain(&mut self.notes) {
-            for [from, to] in words {
-                diagnostic.message = in_place_of(&diagnostic.message, from, to);
-                diagnostic.note = diagnostic.note.as_ref().map(|note| in_place_of(note, from, to));
-            }
-        }
     }
 
     /// The count of mistakes reported so far. Equal counts before and after a step mean that the step found
@@ -212,21 +200,6 @@ impl Drop for Diagnostics {
             panic!("diagnostics were dropped without a barrier");
         }
     }
-}
-
-/// The text with words replaced, where no letter goes on on either side.
-fn in_place_of(text: &str, from: &str, to: &str) -> String {
-    let goes_on = |letter: Option<char>| letter.is_some_and(|it| it.is_alphanumeric() || it == '_');
-    let (mut told, mut rest) = (String::new(), text);
-    while let Some(at) = rest.find(from) {
-        let behind = at + from.len();
-        let before = told.chars().chain(rest[..at].chars()).next_back();
-        let is_word = !goes_on(before) && !goes_on(rest[behind..].chars().next());
-        told += &rest[..at];
-        told += if is_word { to } else { from };
-        rest = &rest[behind..];
-    }
-    told + rest
 }
 
 /// Line and column of a token.

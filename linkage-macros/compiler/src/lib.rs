@@ -87,7 +87,7 @@ mod report;
 mod syntax;
 mod written_places;
 
-pub use blocks::declarations;
+pub use blocks::{by_set, declarations, solver_name};
 pub use codegen::drawn_plan::{PlanMember, PlanParts, PlanSpring, PlanStatement};
 pub use codegen::script::page::PageParts;
 pub use diagnostics::{Diagnostic, Level};

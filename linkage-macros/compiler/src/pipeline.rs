@@ -1,6 +1,8 @@
 //! START HERE: the phases in order, each with what is true after it.
 
-use proc_macro2::{Span, TokenStream, TokenTree};
+mod several_sets;
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 use crate::codegen::Drawing;
 use crate::codegen::c::provenance::{Prefix, Provenance, hash};
@@ -15,11 +17,11 @@ use crate::interface::units_in_words::unit;
 use crate::ir::interpret::ProgramValues;
 use crate::ir::posing::{Conditions, UnknownWords, placed};
 use crate::ir::program::Program;
-use crate::model::Stub;
 use crate::model::mechanism::{Mechanism, Param};
+use crate::model::{DrivenBySet, Stub};
 use crate::report::{self, Report, ReportOptions};
 use crate::syntax::tree::Declaration;
-use crate::{codegen, equations, lower, model, passes, syntax};
+use crate::{blocks, codegen, equations, lower, model, passes, syntax};
 
 /// The parts that are generated beside the solver. The default is none.
 #[derive(Clone, Copy, Debug, Default)]
@@ -69,7 +71,18 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     // The numbers of one declaration are not those of the next.
     let _atoms = AtomScope::begin();
     let mut diagnostics = Diagnostics::new();
-    let (declaration, resolved) = read(source.clone(), &mut diagnostics);
+    let (tokens, chosen) = blocks::chosen(source.clone());
+    let declaration = syntax::parse(tokens, &mut diagnostics);
+    if let (Some(tree), None) = (&declaration, &chosen) {
+        let reported = diagnostics.count();
+        let drivings = model::drivings(tree, &mut diagnostics);
+        if !drivings.is_empty() {
+            let sets = (&drivings[..], diagnostics.count() == reported);
+            return several_sets::compile(tree, sets, (&source, options), diagnostics);
+        }
+    }
+    let declaration = declaration.map(|tree| driven_by(tree, chosen, &mut diagnostics));
+    let resolved = declaration.as_ref().map(|tree| resolved(tree, &mut diagnostics));
     let notes = diagnostics.take_notes();
     match (resolved, diagnostics.finish()) {
         (Some(Ok(mechanism)), Ok(())) => {
@@ -306,20 +319,38 @@ pub(crate) fn read(
     source: TokenStream,
     diagnostics: &mut Diagnostics,
 ) -> (Option<Declaration>, Option<Result<Mechanism, Stub>>) {
-    let declaration = syntax::parse(source, diagnostics);
-    // No barrier between the two: the tree marks what could not be read, and the model says nothing of
-    // what may only be missing because of that. Afterwards every name is a typed id and every dimension is
-    // checked.
-    let resolved = declaration.as_ref().map(|declaration| {
-        let mechanism = model::resolve(declaration, diagnostics)?;
-        // The one rule that asks for equations; nothing that follows can fail.
-        if equations::load_does_work(&mechanism, passes::RULES) {
-            return Ok(mechanism);
-        }
-        model::load_does_no_work(declaration, &mechanism, diagnostics);
-        Err(Stub(Box::new(mechanism)))
-    });
+    let (tokens, chosen) = blocks::chosen(source);
+    let declaration = syntax::parse(tokens, diagnostics);
+    let declaration = declaration.map(|tree| driven_by(tree, chosen, diagnostics));
+    let resolved = declaration.as_ref().map(|tree| resolved(tree, diagnostics));
     (declaration, resolved)
+}
+
+/// The declaration that the chosen one of several sets drives, the first where none is chosen.
+fn driven_by(
+    tree: Declaration,
+    chosen: Option<Ident>,
+    diagnostics: &mut Diagnostics,
+) -> Declaration {
+    let mut drivings = model::drivings(&tree, diagnostics).into_iter();
+    let is_chosen = |driving: &DrivenBySet| chosen.as_ref().is_none_or(|set| driving.set == *set);
+    drivings.find(is_chosen).map_or(tree, |driving| driving.tree)
+}
+
+/// The meaning of a declaration.
+pub(crate) fn resolved(
+    declaration: &Declaration,
+    diagnostics: &mut Diagnostics,
+) -> Result<Mechanism, Stub> {
+    // No barrier in front: the tree marks what could not be read, and the model says nothing of what may only be
+    // missing because of that. Afterwards every name is a typed id and every dimension is checked.
+    let mechanism = model::resolve(declaration, diagnostics)?;
+    // The one rule that asks for equations; nothing that follows can fail.
+    if equations::load_does_work(&mechanism, passes::RULES) {
+        return Ok(mechanism);
+    }
+    model::load_does_no_work(declaration, &mechanism, diagnostics);
+    Err(Stub(Box::new(mechanism)))
 }
 
 /// Equations and passes.

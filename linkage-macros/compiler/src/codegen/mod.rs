@@ -29,6 +29,7 @@ pub(crate) mod tests;
 use proc_macro2::TokenStream;
 
 pub(crate) use docs::costs_in_words::{MOST, in_words};
+pub(crate) use rust::driving_sets::{DrivenSet, generate as generate_sets};
 
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;

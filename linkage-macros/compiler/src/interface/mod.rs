@@ -4,6 +4,7 @@
 //! It is known before any formula is, and said once: the equations fill it in, and the generated
 //! code, its documentation and the C header read it. Nothing here computes and nothing prints.
 
+pub(crate) mod carried_over;
 mod catalogue;
 pub(crate) mod components;
 pub(crate) mod dimensions;

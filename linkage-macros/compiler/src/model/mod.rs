@@ -111,6 +111,7 @@ use crate::model::statements::unknowns;
 use crate::syntax;
 use crate::syntax::tree::Declaration;
 
+pub(crate) use driven::{DrivenBySet, drivings};
 pub(crate) use statements::drive_by::load_does_no_work;
 
 /// The stub of a declaration in which something was reported.

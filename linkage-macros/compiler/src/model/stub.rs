@@ -78,7 +78,9 @@ fn outputs_of_stub(scope: &mut Scope<'_>, tree: &Declaration) {
     scope.mechanism.dynamics.energy = false;
     let (mut is_asked, mut is_understood) = (false, true);
     for statement in &tree.statements {
-        let StatementKind::Output(OutputStatement { items }) = &statement.kind else { continue };
+        let StatementKind::Output(OutputStatement { items, .. }) = &statement.kind else {
+            continue;
+        };
         for item in items {
             is_asked = true;
             output::output(scope, &statement.docs, item);

@@ -98,7 +98,7 @@ pub(in crate::model) fn actions_have_an_effect(scope: &mut Scope<'_>, tree: &Dec
                 masses |= matches!(action, Action::Mass(_));
                 expressions(statement, &mut |expr| add_names(expr, &mut acting));
             }
-            StatementKind::Output(OutputStatement { items }) => {
+            StatementKind::Output(OutputStatement { items, .. }) => {
                 items.iter().for_each(|item| add_names(&item.value, &mut named));
             }
             _ => {}

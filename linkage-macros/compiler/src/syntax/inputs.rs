@@ -1,14 +1,21 @@
 //! `input`: the numbers that a machine is driven by, plain ones of a kind and quantities of a drawing.
 
-use proc_macro2::Ident;
+use proc_macro2::{Delimiter, Group, Ident};
 
 use super::tokens::{Parse, Parser, Reported};
-use super::tree::{Expr, InputStatement, StatementKind};
+use super::tree::{Expr, InputSetStatement, InputStatement, SetCoordinate, StatementKind};
 
 impl Parser<'_> {
     /// `input s, x: length;` or `input a = AB.angle, x = tool.x;`
     pub(super) fn input(&mut self) -> Parse<StatementKind> {
         let mut names = vec![self.new_name("an input")?];
+        if let Some(braces) = self.take_group(Delimiter::Brace) {
+            let coordinates = self.coordinates_of_a_set(&names[0], &braces);
+            return Ok(StatementKind::InputSet(InputSetStatement {
+                name: names.remove(0),
+                coordinates,
+            }));
+        }
         if self.is_punct(0, '=') {
             let of = self.quantities(&mut names);
             return Ok(StatementKind::Input(InputStatement { names, kind: None, of }));
@@ -41,6 +48,38 @@ impl Parser<'_> {
             }
         }
         of
+    }
+
+    /// `x = tool.x, y` in the braces of a set.
+    fn coordinates_of_a_set(&mut self, set: &Ident, braces: &Group) -> Vec<SetCoordinate> {
+        let mut inner = self.inside(braces);
+        let mut coordinates = Vec::new();
+        while !inner.at_end() {
+            match inner.coordinate_of_a_set() {
+                Ok(coordinate) => coordinates.push(coordinate),
+                Err(Reported) => {
+                    inner.give_up();
+                    return coordinates;
+                }
+            }
+        }
+        if coordinates.is_empty() {
+            let message = format!("say what `{set}` drives: `input {set} {{ x = tool.x }}`");
+            self.diagnostics.error(set.span(), message);
+        }
+        coordinates
+    }
+
+    fn coordinate_of_a_set(&mut self) -> Parse<SetCoordinate> {
+        let name = self.new_name("an input")?;
+        let of = match self.take_punct('=') {
+            true => Some(self.expression()?),
+            false => None,
+        };
+        if !self.take_punct(',') && !self.at_end() {
+            return self.expected_because("`,` or `}`", "a set is `{ x = tool.x, y = tool.y }`");
+        }
+        Ok(SetCoordinate { name, of })
     }
 
     fn quantity_of(&mut self, name: &Ident) -> Parse<Expr> {

@@ -4,6 +4,7 @@
 //! declaration  docs visibility `struct` NAME `{` statement* `}`
 //! statement    `input` NAME,* `:` KIND `;`
 //!            | `input` (NAME `=` expression),* `;`
+//!            | `input` NAME `{` (NAME (`=` expression)?),* `}`
 //!            | `param` NAME (`:` KIND)? `=` expression `;`
 //!            | `let` NAME `=` expression `;`
 //!            | `unknown` NAME `:` KIND `between` pair `;`

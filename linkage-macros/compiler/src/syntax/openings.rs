@@ -57,7 +57,14 @@ const fn acting(
 
 /// All of them; the first seven stand in every machine.
 pub(crate) const OPENINGS: [Opening; 24] = [
-    plain("input", |parser, _| parser.input(), is_typed),
+    Opening {
+        ends: Ending::Either,
+        ..plain(
+            "input",
+            |parser, _| parser.input(),
+            |parser| is_typed(parser) || is_named(parser) && parser.is_group(2, Delimiter::Brace),
+        )
+    },
     plain("param", |parser, _| parser.param(), is_typed),
     plain("let", |parser, _| parser.named_value(), is_named),
     plain("ground", |parser, _| parser.ground("ground"), is_called),

@@ -227,7 +227,7 @@ impl Parser<'_> {
                 "without this statement every moving point and link is computed",
             );
         }
-        Ok(StatementKind::Output(OutputStatement { items }))
+        Ok(StatementKind::Output(OutputStatement { items, is_beside: false }))
     }
 
     /// Reports a `,` that is missing in front of a name.

@@ -35,6 +35,8 @@ pub(crate) struct Unwritten {
     pub names: Vec<Ident>,
     /// Texts of messages, and what is told in place of them.
     pub told: Vec<[String; 2]>,
+    /// The set of inputs, where the declaration is that of one of several.
+    pub set: Option<Ident>,
 }
 
 /// The tokens that a mistake kept from being read. A name among them may have been declared or used
@@ -67,6 +69,8 @@ pub(crate) struct Statement {
 pub(crate) enum StatementKind {
     /// `input s, x: length;` or `input a = AB.angle, x = tool.x;`
     Input(InputStatement),
+    /// `input hand { x = tool.x, y = tool.y }`; a declaration with such sets stands for one a set.
+    InputSet(InputSetStatement),
     /// `param l = 632mm;` or `param elbow: mode = left;`; `kind` is the word after the colon.
     Param(ParamStatement),
     /// `unknown theta: angle between (10deg, 170deg);`; without a kind or ends only after a mistake.

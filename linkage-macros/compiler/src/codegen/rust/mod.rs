@@ -10,6 +10,7 @@ mod checked;
 pub(super) mod context;
 mod cost_constant;
 mod declared_arguments;
+pub(super) mod driving_sets;
 mod editor_names;
 mod fast_path;
 pub(super) mod formulas;

@@ -46,7 +46,7 @@ pub(super) fn around(cx: &Context<'_>, code: &TokenStream) -> TokenStream {
 
 /// The lints that generated code is allowed to trip: names are as declared, records derive no `Eq`, and
 /// hardly anyone reads every result.
-fn allowed() -> TokenStream {
+pub(super) fn allowed() -> TokenStream {
     quote! {
         #[allow(
             dead_code,

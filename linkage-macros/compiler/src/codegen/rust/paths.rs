@@ -78,7 +78,15 @@ pub(in crate::codegen) const IMPORTED: [&str; 48] = [
 
 impl Paths {
     pub(in crate::codegen) fn new(mechanism: &Mechanism, own: Vec<String>) -> Self {
-        let is_held = a_module_can_hold(mechanism);
+        Self::placed(mechanism, own, a_module_can_hold(mechanism))
+    }
+
+    /// The same for code that stands beside the declaration, without a module of its own.
+    pub(in crate::codegen) fn beside(mechanism: &Mechanism, own: Vec<String>) -> Self {
+        Self::placed(mechanism, own, false)
+    }
+
+    fn placed(mechanism: &Mechanism, own: Vec<String>, is_held: bool) -> Self {
         let module = match &mechanism.crate_path {
             Some(path) => {
                 let path = match is_held {

@@ -25,22 +25,28 @@ pub(super) fn definition(cx: &Context<'_>) -> TokenStream {
     let (docs, attributes) =
         (docs::solver(cx.mechanism, cx.lowered), structs::attributes(cx.mechanism, &cx.paths));
     let declared = &cx.mechanism.name;
-    let fields = cx.mechanism.params.iter().map(|param| {
-        let (docs, field) = (docs::param(cx.mechanism, param), &param.name);
+    let (fields, float) = (fields(cx.mechanism, &cx.paths, scalar), cx.paths.outside("f64"));
+    quote! {
+        #docs
+        #attributes
+        #visibility struct #declared<#scalar = #float> { #fields }
+    }
+}
+
+/// A field for each parameter.
+pub(super) fn fields(mechanism: &Mechanism, paths: &Paths, scalar: &Ident) -> TokenStream {
+    let fields = mechanism.params.iter().map(|param| {
+        let (docs, field) = (docs::param(mechanism, param), &param.name);
         let ty = match mode_type(param) {
-            Some(ty) => cx.paths.outside(ty),
+            Some(ty) => paths.outside(ty),
             None => scalar.clone().into(),
         };
         quote!(#docs pub #field: #ty,)
     });
-    let (phantom, float) = (cx.paths.outside("PhantomData"), cx.paths.outside("f64"));
-    let marker = marker(cx.mechanism, &cx.paths)
+    let phantom = paths.outside("PhantomData");
+    let marker = marker(mechanism, paths)
         .map(|(field, _)| quote!(#[doc(hidden)] pub #field: #phantom<#scalar>,));
-    quote! {
-        #docs
-        #attributes
-        #visibility struct #declared<#scalar = #float> { #(#fields)* #marker }
-    }
+    quote!(#(#fields)* #marker)
 }
 
 /// The type of a mode parameter; none for a number's, which is the type parameter.
@@ -91,7 +97,7 @@ pub(super) fn construct(
 }
 
 /// The parameter as declared, a number by `lit` or as a plain literal.
-fn defaults(
+pub(super) fn defaults(
     mechanism: &Mechanism,
     paths: &Paths,
     name: &TokenStream,

@@ -16,7 +16,7 @@ pub(super) struct RodEnd {
 
 /// The statement with the force at such a joint asked of the block.
 pub(super) fn renamed(ends: &[RodEnd], mut statement: Statement) -> Statement {
-    let StatementKind::Output(OutputStatement { items }) = &mut statement.kind else {
+    let StatementKind::Output(OutputStatement { items, .. }) = &mut statement.kind else {
         return statement;
     };
     for item in items {

@@ -23,7 +23,7 @@ impl FreeNames {
         for statement in &tree.statements {
             taken.extend(declared_by(statement).iter().map(|(name, _)| name.to_string()));
             taken.extend(names_used(statement).iter().map(ToString::to_string));
-            if let StatementKind::Output(OutputStatement { items }) = &statement.kind {
+            if let StatementKind::Output(OutputStatement { items, .. }) = &statement.kind {
                 taken.extend(items.iter().filter_map(|item| Some(item.name.as_ref()?.to_string())));
             }
         }

@@ -17,6 +17,9 @@ pub(super) fn loose(
     freedoms: usize,
     diagnostics: &mut Diagnostics,
 ) {
+    if let Some(set) = &bodies.tree.unwritten.set {
+        return drives_too_little(bodies, set, (those, freedoms), diagnostics);
+    }
     let hanging = those.iter().find_map(|&body| hanging(bodies, body));
     if let Some((link, pin)) = hanging.filter(|_| those.len() > 1) {
         let message = format!("`{link}` hangs on `{pin}` alone, and turns about it");
@@ -41,6 +44,25 @@ pub(super) fn loose(
     let message = format!("{} {still} when every input is held: {few}", bodies.listed(those));
     let reason = format!("drive {them}, `{drive}`, or pin {them} to another link");
     diagnostics.error_because(link.span(), message, reason);
+}
+
+/// Reports a set of inputs that leaves freedoms.
+fn drives_too_little(
+    bodies: &Bodies<'_>,
+    set: &Ident,
+    (those, freedoms): (&[usize], usize),
+    diagnostics: &mut Diagnostics,
+) {
+    let inputs = bodies.tree.statements.iter().map(|statement| match &statement.kind {
+        StatementKind::Input(input) => input.names.len(),
+        _ => 0,
+    });
+    let inputs: usize = inputs.sum();
+    let more = if freedoms == 1 { "one more" } else { &format!("{freedoms} more") };
+    let message = format!("`{set}` drives {inputs} of {} freedoms; name {more}", inputs + freedoms);
+    let moves = if those.len() == 1 { "still moves" } else { "still move" };
+    let reason = format!("{} {moves} when every input is held", bodies.listed(those));
+    diagnostics.error_because(set.span(), message, reason);
 }
 
 /// A link with one joint, which it turns about, and the pin.

@@ -38,6 +38,9 @@ fn too_many(
     (those, drives, freedoms): (&[usize], &[usize], usize),
     diagnostics: &mut Diagnostics,
 ) {
+    if set_drives_too_much(bodies, (those, drives), diagnostics) {
+        return;
+    }
     let values = drives.iter().map(|&drive| bodies.drives[drive].1);
     let written = values.clone().map(|drive| format!("`drive {}`", drive_as_written(drive)));
     let written: Vec<_> = written.collect();
@@ -80,6 +83,28 @@ fn too_many(
     let joints = if is_link { ", or one of its joints" } else { "" };
     let reason = format!("leave out `link {link}`{joints}{drives}");
     diagnostics.error_because(link.span(), message, reason);
+}
+
+/// Reports a set of inputs that moves links more than once; false where there is none or nothing there is driven.
+fn set_drives_too_much(
+    bodies: &Bodies<'_>,
+    (those, drives): (&[usize], &[usize]),
+    diagnostics: &mut Diagnostics,
+) -> bool {
+    let Some(set) = &bodies.tree.unwritten.set else { return false };
+    let moved = those.iter().filter(|&&body| body != GROUND && !bodies.is_drawn(body));
+    let links = moved.map(|&body| format!("`link {}`", bodies.link(body).name));
+    let drives = drives.iter().map(|&drive| bodies.drives[drive].1);
+    let drives = drives.map(|drive| format!("`drive {}`", drive_as_written(drive)));
+    let told: Vec<_> = links.chain(drives).collect();
+    if told.is_empty() {
+        return false;
+    }
+    let message = format!("`{set}` drives more than the machine's freedoms");
+    let who = bodies.listed(those);
+    let reason = format!("{who} hold each other; leave out {}", listed(&told, "or"));
+    diagnostics.error_because(set.span(), message, reason);
+    true
 }
 
 /// The left side of a drive.
@@ -185,7 +210,9 @@ pub(super) fn report_held_reactions(
     mechanism: &Mechanism,
     diagnostics: &mut Diagnostics,
 ) {
-    if !tree.statements.iter().any(|statement| matches!(statement.kind, StatementKind::Output(_))) {
+    if !tree.statements.iter().any(
+        |statement| matches!(&statement.kind, StatementKind::Output(output) if !output.is_beside),
+    ) {
         return;
     }
     let dynamics = &mechanism.dynamics;

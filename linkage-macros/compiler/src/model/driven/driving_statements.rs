@@ -124,7 +124,7 @@ impl<'t> DrivingStatements<'t> {
 
     /// A point of which both coordinates are inputs.
     fn moved(&mut self, by: [Coordinate<'t>; 2], point: &Ident) {
-        self.told(&format!("`link {point}`"), format!("`{}`", by[0].statement()));
+        self.told(&format!("`link {point}`"), self.statement(&by[0]));
         let place = PointPlace::Cartesian(by.map(|coordinate| coordinate.value));
         let point = PointStatement { name: point.clone(), on: None, place };
         self.statements.push(StatementKind::Point(point));
@@ -271,26 +271,25 @@ impl<'t> DrivingStatements<'t> {
     /// A name that nobody has written, and how messages tell what it stands for.
     fn named(&mut self, name: String, coordinate: &Coordinate<'_>) -> Ident {
         let name = self.names.made(name, "_", coordinate.name.span());
-        self.told(&format!("`link {name}`"), format!("`{}`", coordinate.statement()));
+        self.told(&format!("`link {name}`"), self.statement(coordinate));
         self.drive_is_told(&format!("{name}.slide"), coordinate);
         self.told(&name.to_string(), coordinate.written.clone());
         self.unwritten.names.push(name.clone());
         name
     }
 
+    /// The part of a statement that makes it an input, in quotes.
+    fn statement(&self, coordinate: &Coordinate<'_>) -> String {
+        let word = if self.unwritten.set.is_some() { "" } else { "input " };
+        format!("`{word}{} = {}`", coordinate.name, coordinate.written)
+    }
+
     fn drive_is_told(&mut self, of: &str, coordinate: &Coordinate<'_>) {
-        self.told(&format!("`drive {of}`"), format!("`{}`", coordinate.statement()));
+        self.told(&format!("`drive {of}`"), self.statement(coordinate));
     }
 
     fn told(&mut self, text: &str, instead: String) {
         self.unwritten.told.push([text.to_string(), instead]);
-    }
-}
-
-impl Coordinate<'_> {
-    /// The part of a statement that makes it an input.
-    fn statement(&self) -> String {
-        format!("input {} = {}", self.name, self.written)
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod coordinate;
 mod driving_statements;
+mod input_sets;
 
 use std::borrow::Cow;
 
@@ -19,6 +20,7 @@ use crate::syntax::tree::{Declaration, InputStatement, Statement, StatementKind}
 
 use coordinate::Coordinate;
 use driving_statements::DrivingStatements;
+pub(crate) use input_sets::{DrivenBySet, drivings};
 
 const FORM: &str = "a factor stands in front of the quantity and a constant behind it: `2 * tip.y`, \
                     `shank.angle + 90deg`";

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 use syn::Attribute;
 
-use crate::syntax::tree::InputStatement;
+use crate::syntax::tree::{InputSetStatement, InputStatement};
 
 use crate::model::kinds::{KINDS, quantity_kind};
 use crate::model::mechanism::{Dimension, Input, InputId};
@@ -34,6 +34,16 @@ impl Rules for InputStatement {
 
     fn written(&self) -> String {
         format!("input {}{};", as_written::names(&self.names), as_written::kind(&self.kind))
+    }
+}
+
+impl Rules for InputSetStatement {
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
+        // A declaration with sets is resolved once a set, each with inputs of its own.
+    }
+
+    fn written(&self) -> String {
+        format!("input {} {{ … }}", self.name)
     }
 }
 

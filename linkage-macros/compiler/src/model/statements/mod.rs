@@ -114,6 +114,7 @@ macro_rules! by_kind {
     ($kind:expr) => {
         match $kind {
             StatementKind::Input(it) => it,
+            StatementKind::InputSet(it) => it,
             StatementKind::Param(it) => it,
             StatementKind::Let(it) => it,
             StatementKind::Unknown(it) => it,

@@ -1,5 +1,7 @@
 //! Outputs: the fields of the result.
 
+use std::collections::HashSet;
+
 use proc_macro2::Ident;
 use quote::format_ident;
 use syn::Attribute;
@@ -50,23 +52,30 @@ impl Rules for OutputStatement {
 
 /// The outputs that are asked for; every moving point and every link where none is.
 pub(in crate::model) fn outputs(scope: &mut Scope<'_>, tree: &Declaration) {
-    let mut is_asked = false;
-    for statement in &tree.statements {
-        if let StatementKind::Output(OutputStatement { items }) = &statement.kind {
-            is_asked = true;
-            for item in items {
-                output(scope, &statement.docs, item);
-            }
-        }
+    let all = tree.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Output(output) => Some((statement, output)),
+        _ => None,
+    });
+    let (beside, asked): (Vec<_>, Vec<_>) = all.partition(|(_, output)| output.is_beside);
+    for (statement, OutputStatement { items, .. }) in &asked {
+        items.iter().for_each(|item| output(scope, &statement.docs, item));
     }
-    if !is_asked {
+    if asked.is_empty() {
         dynamics_outputs::every_effort_is_given(scope);
     }
     // Who asks for forces alone has asked nothing about the motion.
     let dynamics = &scope.mechanism.dynamics;
     let is_about_forces = !dynamics.asked.is_empty() || dynamics.energy;
-    if !is_asked || is_about_forces && scope.mechanism.outputs.is_empty() {
+    if asked.is_empty() || is_about_forces && scope.mechanism.outputs.is_empty() {
         every_moving_thing_is_given(scope);
+    }
+    let given: HashSet<_> = scope.mechanism.outputs.iter().map(|it| it.field.to_string()).collect();
+    let is_new = |item: &&OutputItem| match &item.value.kind {
+        ExprKind::Name(name) => item.name.is_some() || !given.contains(&name.to_string()),
+        _ => true,
+    };
+    for (statement, OutputStatement { items, .. }) in &beside {
+        items.iter().filter(is_new).for_each(|item| output(scope, &statement.docs, item));
     }
 }
 

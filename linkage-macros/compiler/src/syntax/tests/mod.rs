@@ -86,6 +86,13 @@ fn kind(kind: &StatementKind) -> String {
             let items = names.iter().zip(of).map(|(name, of)| format!("{name} = {}", expr(of)));
             format!("input {}", items.collect::<Vec<_>>().join(", "))
         }
+        StatementKind::InputSet(InputSetStatement { name, coordinates }) => {
+            let items = coordinates.iter().map(|SetCoordinate { name, of }| match of {
+                Some(of) => format!("{name} = {}", expr(of)),
+                None => name.to_string(),
+            });
+            format!("input {name} {{ {} }}", items.collect::<Vec<_>>().join(", "))
+        }
         StatementKind::Input(InputStatement { names, kind, .. }) => {
             let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
             format!("input {}: {kind}", list(names))
@@ -128,7 +135,7 @@ fn kind(kind: &StatementKind) -> String {
             format!("point {name}{} at {place}", carrier(on))
         }
         StatementKind::Group(group) => self::group(group),
-        StatementKind::Output(OutputStatement { items }) => {
+        StatementKind::Output(OutputStatement { items, .. }) => {
             let items = items.iter().map(|item| match &item.name {
                 Some(name) => format!("{name} = {}", expr(&item.value)),
                 None => expr(&item.value),

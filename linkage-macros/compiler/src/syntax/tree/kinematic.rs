@@ -14,6 +14,20 @@ pub(crate) struct InputStatement {
     pub of: Vec<Expr>,
 }
 
+/// `input hand { x = tool.x, y = tool.y }`
+#[derive(Clone)]
+pub(crate) struct InputSetStatement {
+    pub name: Ident,
+    pub coordinates: Vec<SetCoordinate>,
+}
+
+/// `x = tool.x`; without a quantity where another set says it.
+#[derive(Clone)]
+pub(crate) struct SetCoordinate {
+    pub name: Ident,
+    pub of: Option<Expr>,
+}
+
 /// `param l = 632mm;` or `param elbow: mode = left;`.
 #[derive(Clone)]
 pub(crate) struct ParamStatement {
@@ -85,6 +99,8 @@ pub(crate) struct PointStatement {
 #[derive(Clone)]
 pub(crate) struct OutputStatement {
     pub items: Vec<OutputItem>,
+    /// True if these stand beside what is asked for elsewhere, or beside all where nothing is.
+    pub is_beside: bool,
 }
 
 /// `numerics compensated;`

@@ -1,0 +1,85 @@
+//! A declaration with several sets of inputs: a solver each, and the struct of their parameters.
+
+#[cfg(test)]
+mod tests;
+
+use proc_macro2::TokenStream;
+
+use super::{Options, Output, code, placing, program, resolved, stub, text};
+use crate::codegen::{DrivenSet, generate_sets};
+use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
+use crate::model::mechanism::Mechanism;
+use crate::model::{DrivenBySet, Stub};
+use crate::syntax::tree::Declaration;
+
+/// Compiles the declaration once a set.
+pub(super) fn compile(
+    declaration: &Declaration,
+    (drivings, are_well): (&[DrivenBySet], bool),
+    (source, options): (&TokenStream, &Options),
+    mut diagnostics: Diagnostics,
+) -> Output {
+    let reported = diagnostics.count();
+    let resolved = resolved_all(drivings, &mut diagnostics);
+    if !are_well {
+        // More mistakes would only follow from those of the sets.
+        diagnostics.forget_since(reported);
+    }
+    let notes = diagnostics.take_notes();
+    let failed = diagnostics.finish().err();
+    let text = options.page.then(|| text(source));
+    let mut tokens = TokenStream::new();
+    let mut sets = Vec::new();
+    let diagnostics = failed.map_or(Vec::new(), |Failure(mistakes)| mistakes);
+    tokens.extend(diagnostics.iter().map(Diagnostic::compile_error));
+    for (driving, resolved) in drivings.iter().zip(&resolved) {
+        let mechanism: &Mechanism = match resolved {
+            Ok(mechanism) => mechanism,
+            Err(Stub(mechanism)) => mechanism,
+        };
+        tokens.extend(match resolved {
+            Ok(mechanism) if diagnostics.is_empty() => {
+                let placing = options.sketch.then(|| placing(mechanism));
+                let drawn = placing.as_ref().map(|program| (program, text.as_deref()));
+                code(mechanism, &program(mechanism), drawn, options)
+            }
+            _ => stub(&driving.tree, mechanism, options),
+        });
+        sets.push(DrivenSet { set: &driving.set, mechanism });
+    }
+    tokens.extend(generate_sets(&declaration.name, &sets));
+    let notes = if diagnostics.is_empty() { notes } else { Vec::new() };
+    Output { tokens, diagnostics, notes }
+}
+
+/// The meanings of all sets. A mistake that is found with each is told once, and another names its set.
+fn resolved_all(
+    drivings: &[DrivenBySet],
+    diagnostics: &mut Diagnostics,
+) -> Vec<Result<Mechanism, Stub>> {
+    let before = diagnostics.count();
+    let resolved = drivings.iter().map(|driving| {
+        let resolved = resolved(&driving.tree, diagnostics);
+        (resolved, diagnostics.take_since(before))
+    });
+    let (resolved, found): (Vec<_>, Vec<_>) = resolved.unzip();
+    for (driving, own) in drivings.iter().zip(&found) {
+        let told = own.iter().map(|mistake| {
+            let is_of_all = found.iter().all(|other| other.iter().any(|other| other.is(mistake)));
+            if is_of_all { mistake.clone() } else { where_driven(mistake, driving) }
+        });
+        diagnostics.add_new(told.collect());
+    }
+    resolved
+}
+
+/// The mistake with the name of the set of inputs with which it is one.
+fn where_driven(mistake: &Diagnostic, driving: &DrivenBySet) -> Diagnostic {
+    let set = &driving.set;
+    if mistake.text().contains(&format!("`{set}`")) || mistake.is_within(driving.written) {
+        return mistake.clone();
+    }
+    let place = format!("it is so where `{set}` drives");
+    let note = mistake.note.as_ref().map_or(place.clone(), |note| format!("{note}; {place}"));
+    Diagnostic { note: Some(note), ..mistake.clone() }
+}

@@ -1,0 +1,109 @@
+//! Every mistake in sets of inputs, at the tokens that were written and without a name that nobody wrote.
+
+use crate::diagnostics::told;
+use crate::mistakes::proposals_are_read;
+use crate::pipeline::{self, Options};
+
+const FIVE_BAR: &str = "ground A(-50mm, 0), E(50mm, 0); pin B(-120mm, 90mm), D(120mm, 90mm), tool(0, 200mm); \
+                        link AB(A, B), BC(B, tool), CD(D, tool), ED(E, D);";
+const MOTORS: &str = "input motors { a = AB.angle, b = ED.angle }";
+
+fn mistakes(base: &str, statements: &str) -> String {
+    let source = format!("pub struct FiveBar {{ {base} {statements} }}");
+    let tokens = source.parse().expect("these are tokens");
+    let output = pipeline::compile(tokens, &Options::ALL);
+    let end = source.len() - " }".len();
+    syn::parse2::<syn::File>(output.tokens).expect("a stub is Rust");
+    told(&output.diagnostics, &source, end - statements.len()..end)
+}
+
+#[test]
+fn mistakes_of_sets() {
+    let rows = [
+        ("input hand { x = tool.x, y = tool.y }", ""),
+        (
+            "input hand { x = tool.x }",
+            "hand: `hand` drives 1 of 2 freedoms; name one more / `AB`, `BC`, `CD` and `ED` still move when every input is held",
+        ),
+        (
+            "input hand { x = tool.x, y = tool.y, a }",
+            "hand: `hand` drives more than the machine's freedoms / `AB`, `BC`, `tool` and the ground hold each other; leave out `x = tool.x` or `a = AB.angle`",
+        ),
+        (
+            "input hand { x = tool.x, s = distance(A, B) }",
+            "s = distance(A, B): `distance(A, B)` does not change / `AB` joins the two: leave it out, or write `AB.length`",
+        ),
+        (
+            "input hand { x = tool.x, q = AB.angle * CD.angle }",
+            "AB.angle * CD.angle: an input is one quantity of the machine, a factor before and a constant behind it / a factor stands in front of the quantity and a constant behind it: `2 * tip.y`, `shank.angle + 90deg`",
+        ),
+        (
+            "input hand { x, y = tool.y }",
+            "x: say what `x` is: `x = tool.x` / one of the sets that a coordinate is in says what it is",
+        ),
+        (
+            "input hand { a = CD.angle, y = tool.y }",
+            "a: `a` is `AB.angle` in `motors`; choose another name / a coordinate of several sets is one quantity",
+        ),
+        (
+            "input hand { x = tool.x, x = tool.y }",
+            "x#3: `x` is named twice; remove one / `hand` drives it once",
+        ),
+        (
+            "input hand { x = tool.x y = tool.y }",
+            "y#1: expected `,` or `}`, found `y` / a set is `{ x = tool.x, y = tool.y }`",
+        ),
+        ("input hand { x = , y = tool.y }", ",: expected a number or a name, found `,`"),
+        ("input hand { }", "hand: say what `hand` drives: `input hand { x = tool.x }`"),
+        (
+            "input motors { x = tool.x, y = tool.y }",
+            "motors: the name `motors` is taken; choose another / another set is called so",
+        ),
+        (
+            "input hand { x = tol.x, y = tool.y }",
+            "tol: no pin named `tol`; one with a similar name exists: `tool` / say where it is drawn: `pin tol(…, …);`",
+        ),
+        (
+            "input hand { x = tool.x, y = tool.y } input end { u = BC.angle, v = distance(B, D) }",
+            "",
+        ),
+        (
+            "input hand { x = tool.x, y = tool.y } link EF(E, B);",
+            "before motors: `motors` drives more than the machine's freedoms / `AB`, `EF` and the ground hold each other; leave out `a = AB.angle`\nhand: `hand` drives more than the machine's freedoms / `AB`, `BC`, `EF`, `tool` and the ground hold each other; leave out `x = tool.x`",
+        ),
+        (
+            "input hand { x = tool.x, y = tool.y } mass 1kg on tol;",
+            "tol: no point named `tol`; a point with a similar name exists: `tool`",
+        ),
+        ("input hand { x = tool.x, y = tool.y } output twice = 2 * a, tool;", ""),
+        (
+            "input hand { x = tool.x, y = tool.y } guide g through (0, 0) along a; link r() on g; drive r.slide = 0;",
+            "g#1: `g` has no place in the drawing / a guide goes through a point and along an angle or towards a point, on a link whose own guide does not stand on it; it is so where `motors` drives\na: no input, parameter or `let` named `a` / declared so far: `x`, `y`; it is so where `hand` drives",
+        ),
+        (
+            "input hand { x = tool.x, B = tool.y }",
+            "B: the name `B` is taken; choose another / `B` is a point",
+        ),
+        (
+            "input hand { x = B.x, y = B.y }",
+            "hand: `hand` drives more than the machine's freedoms / `AB`, `B` and the ground hold each other; leave out `x = B.x`\nhand: `hand` drives 2 of 3 freedoms; name one more / `BC`, `CD` and `ED` still move when every input is held",
+        ),
+        (
+            "input hand { x = tool.x, y = tool.y } input k: length; link r(B, F) { length: k } link q(E, F); pin F(1, 1);",
+            "",
+        ),
+        (
+            "input hand { x = tool.x, y = tool.y } output tool, a.drive, x.drive; mass 1kg on tool;",
+            "",
+        ),
+    ];
+    let mut other = String::new();
+    for (statements, expected) in rows {
+        let found = mistakes(&format!("{FIVE_BAR} {MOTORS}"), statements);
+        proposals_are_read(&found);
+        if found != expected {
+            other += &format!("{statements}\nexpected:\n{expected}\nfound:\n{found}\n\n");
+        }
+    }
+    assert!(other.is_empty(), "{other}");
+}
