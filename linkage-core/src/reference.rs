@@ -239,5 +239,7 @@ pub mod method {
 }
 
 pub mod measurements {
+    //! [control]: super::control
+    //!
     #![doc = include_str!("../docs/measurements.md")]
 }

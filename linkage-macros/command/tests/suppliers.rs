@@ -42,7 +42,7 @@ fn errors(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// What a strict compiler makes of sources; none without one.
+/// Messages of a strict compiler about sources; none without one.
 fn compiled(folder: &Path, sources: &[&str], program: &str) -> Option<Output> {
     let strict =
         ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror"];

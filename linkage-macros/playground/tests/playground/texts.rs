@@ -104,7 +104,7 @@ fn places_have_their_letters() {
     assert_eq!(found, wanted);
 }
 
-/// What other programs write becomes a declaration that has a page; anything else is refused in words.
+/// Machines of other programs become a declaration that has a page; anything else is refused in words.
 #[test]
 fn machines_of_others_are_declarations() {
     for text in [
