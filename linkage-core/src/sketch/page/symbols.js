@@ -308,7 +308,7 @@ const drawForces = (pose, arrows) => {
     if (!to) continue;
     trace(path, arrowTo(from, to));
     if (apart(from, to) < 25 || view.width < 500) continue;
-    text.textContent = `${effort ? `${effort} ` : ""}${withUnit(digits(size * times, 3), unit)}`;
+    text.textContent = [effort, withUnit(digits(size * times, 3), unit)].filter(Boolean).join(" ");
     const wide = 6.7 * text.textContent.length, sides = [to[0] + 6, to[0] - 6 - wide];
     if (to[0] < from[0]) sides.reverse();
     const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, to[1] + dy]));
