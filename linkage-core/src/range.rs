@@ -64,6 +64,14 @@ pub struct End<T = f64> {
     pub stop: Stop,
 }
 
+impl<T> End<T> {
+    /// True if the search was asked to go no further, and the machine may.
+    #[must_use]
+    pub const fn is_edge(&self) -> bool {
+        matches!(self.stop, Stop::Edge)
+    }
+}
+
 /// Inputs at all of which the mechanism can be assembled in its modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -153,10 +161,7 @@ impl<T: Real> Stretches<T> {
     /// True if the mechanism can be assembled at every input between the given ends.
     #[must_use]
     pub fn is_whole(&self) -> bool {
-        matches!(
-            **self,
-            [Stretch { from: End { stop: Stop::Edge, .. }, to: End { stop: Stop::Edge, .. } }]
-        )
+        matches!(&**self, [only] if only.from.is_edge() && only.to.is_edge())
     }
 
     fn new() -> Self {

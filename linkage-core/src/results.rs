@@ -175,10 +175,7 @@ impl<T: Real> Direction<T> {
     #[inline]
     #[must_use]
     pub fn angle_near(self, previous: T) -> T {
-        let angle = self.angle();
-        let turns = nearest_integer((previous.value() - angle.value()) / core::f64::consts::TAU);
-        let unroll = turns * core::f64::consts::TAU;
-        angle + T::lit(unroll, unroll as f32)
+        turned_near(self.angle(), previous.value())
     }
 }
 
@@ -207,8 +204,16 @@ impl<T: Real> SlidingDirection<T> {
     }
 }
 
+/// The angle nearest `previous` among all that are turns away from this one.
+#[inline]
+pub(crate) fn turned_near<T: Real>(angle: T, previous: f64) -> T {
+    let turns = nearest_integer((previous - angle.value()) / core::f64::consts::TAU);
+    let unroll = turns * core::f64::consts::TAU;
+    angle + T::lit(unroll, unroll as f32)
+}
+
 /// The integer nearest `x`, ties to even. `f64::round` needs the standard library.
-pub(crate) fn nearest_integer(x: f64) -> f64 {
+fn nearest_integer(x: f64) -> f64 {
     // At 1.5·2⁵² the spacing of f64 is one, so that adding it rounds x to an integer, which the
     // subtraction leaves exact; from 2⁵¹ on the fraction's bits are beyond what an angle can tell.
     const SHIFT: f64 = 6_755_399_441_055_744.0;

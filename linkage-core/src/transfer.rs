@@ -6,10 +6,9 @@
 //! side of its drawing at the pose of the first, or the pose is one of another assembly. What is searched has no such
 //! sign: there the second solver is asked, and its points are compared.
 
-use core::f64::consts::TAU;
 use core::fmt;
 
-use crate::results::nearest_integer;
+use crate::results::turned_near;
 use crate::solver::{Solver, number};
 use crate::{Real, Record, SolveError};
 
@@ -246,17 +245,9 @@ fn value<T: Real>(place: Place, inputs: &[T], rows: &[T]) -> T {
     match place {
         Place::Input(input) => at(inputs, input),
         Place::Row(row, None) => at(rows, row),
-        Place::Row(row, Some(drawn)) => in_turn(at(rows, row), drawn),
+        Place::Row(row, Some(drawn)) => turned_near(at(rows, row), drawn),
         Place::Fixed(value) => T::num(value),
     }
-}
-
-/// The angle that differs from this one by whole turns, within half a turn of where it is drawn.
-#[inline]
-fn in_turn<T: Real>(angle: T, drawn: f64) -> T {
-    let turns = nearest_integer((drawn - angle.value()) / TAU);
-    let unroll = turns * TAU;
-    angle + T::lit(unroll, unroll as f32)
 }
 
 #[inline]

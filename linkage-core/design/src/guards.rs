@@ -3,7 +3,7 @@
 use linkage_core::SolveError;
 use linkage_core::num_dual::Derivative;
 use linkage_core::private::Solver;
-use linkage_core::range::{Stop, Stretches, extrema, limits};
+use linkage_core::range::{Stretches, extrema, limits};
 
 use crate::design::Design;
 use crate::rows::{Block, Dual};
@@ -141,8 +141,7 @@ fn gaps(stretches: &Stretches, [from, to]: [f64; 2]) -> Vec<f64> {
         return Vec::new();
     }
     let ends = stretches.iter().flat_map(|stretch| [stretch.from, stretch.to]);
-    let is_inside = |stop| !matches!(stop, Stop::Edge);
-    let at: Vec<f64> = ends.filter(|end| is_inside(end.stop)).map(|end| end.at).collect();
+    let at: Vec<f64> = ends.filter(|end| !end.is_edge()).map(|end| end.at).collect();
     let mut places = vec![from];
     places.extend(stretches.iter().flat_map(|stretch| [stretch.from.at, stretch.to.at]));
     places.push(to);

@@ -155,7 +155,7 @@ fn of_group<T: Real, M: Solver<Scalar = T, Input = T>>(
 /// The end of the interval, or the limit that it lies on.
 fn edge_at_limit<T: Real>(end: End<T>, at: At<T>, group: &'static str) -> End<T> {
     let zero = number::<T>(64.0 * <T as Real>::EPSILON);
-    if !matches!(end.stop, Stop::Edge) || magnitude(at.value).gt(zero) {
+    if !end.is_edge() || magnitude(at.value).gt(zero) {
         return end;
     }
     // Where the value is zero to rounding, so is the slope at a change point.

@@ -118,13 +118,17 @@ impl Facts {
     pub(super) fn moves(&self, entity: Entity) -> bool {
         match entity {
             Entity::Input(_) | Entity::Unknown(_) => true,
+            // A load moves nothing, and a spring or a stop is no part of the motion.
+            Entity::Param(_)
+            | Entity::Load(_)
+            | Entity::Pull
+            | Entity::Spring(_)
+            | Entity::Stop(_) => false,
             Entity::Let(id) => self.lets[id.index()].moves,
             Entity::Law(id) => self.laws[id.index()].moves,
             Entity::Point(id) => self.points[id.index()],
             Entity::Link(id) => self.links[id.index()].moves,
             Entity::Guide(id) => self.guides[id.index()].moves,
-            // A load moves nothing, and what only acts is no part of the motion.
-            _ => false,
         }
     }
 
