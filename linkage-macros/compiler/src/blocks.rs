@@ -3,6 +3,8 @@
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;
 
+use crate::syntax::words::in_capitals;
+
 /// Finds the declarations in the tokens of a Rust program: what stands in the braces of each `mechanism! { … }`, at
 /// any depth and in the order of the source. One that another macro fills in, with a `$`, is none. A declaration with
 /// several sets of inputs is found once for each: `#[inputs(hand)]` in front of it says for which.
@@ -79,12 +81,7 @@ pub fn solver_name(declaration: &TokenStream) -> Option<Ident> {
 
 /// `FiveBarHand` is the solver of the set `hand`, `FiveBarLeftHand` of `left_hand`.
 pub(crate) fn driven_by(machine: &Ident, set: &Ident) -> Ident {
-    let set = set.to_string();
-    let parts = set.split('_').map(|part| {
-        let mut letters = part.chars();
-        letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>()
-    });
-    Ident::new(&format!("{machine}{}", parts.collect::<String>()), machine.span())
+    Ident::new(&format!("{machine}{}", in_capitals(&set.to_string())), machine.span())
 }
 
 /// A declaration without the mark of a set, and the set.

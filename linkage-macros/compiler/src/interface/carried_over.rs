@@ -152,12 +152,8 @@ fn placed_by(mechanism: &Mechanism, point: PointId) -> String {
 
 /// The place of a point of the ground, where it is constant.
 fn ground(mechanism: &Mechanism, wanted: PointId) -> Option<[Exact; 2]> {
-    mechanism.steps.iter().find_map(|step| match step {
-        Step::Ground { point, at: [x, y] } if *point == wanted => {
-            Some([x.constant()?.clone(), y.constant()?.clone()])
-        }
-        _ => None,
-    })
+    let [x, y] = mechanism.ground_place(wanted)?;
+    Some([x.constant()?.clone(), y.constant()?.clone()])
 }
 
 /// The direction of a guide of the ground, where it is constant.

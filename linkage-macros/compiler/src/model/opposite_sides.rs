@@ -243,10 +243,7 @@ fn coordinates(scope: &Scope<'_>, carrier: Carrier, asked: PointId) -> Option<[S
         return Some(at.clone());
     }
     let Carrier::Link(link) = carrier else {
-        return scope.mechanism.steps.iter().find_map(|step| match step {
-            Step::Ground { point, at } if *point == asked => Some(at.clone()),
-            _ => None,
-        });
+        return scope.mechanism.ground_place(asked).cloned();
     };
     // The other point of a bar is its joint, at the origin.
     let facts = &scope.facts.links[link.index()];

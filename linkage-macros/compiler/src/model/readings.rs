@@ -6,7 +6,7 @@ use crate::syntax::expression::{FRICTION, RATES};
 use crate::syntax::tree;
 
 use crate::model::dimension::Measure;
-use crate::model::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar, Step};
+use crate::model::mechanism::{Axis, Carrier, GuideId, LinkId, PointId, Scalar};
 use crate::model::names::{Entity, Kind};
 use crate::model::reads::{Allowed, Reads};
 use crate::model::resolved_expr::{ResolvedExpr, bare_name, counted};
@@ -77,11 +77,7 @@ fn coordinate(scope: &Scope<'_>, point: PointId, axis: Axis) -> Scalar {
     if let Some(at) = scope.facts.place(point, Carrier::Ground) {
         return of(&at.clone().map(Scalar::Constant));
     }
-    let declared = scope.mechanism.steps.iter().find_map(|step| match step {
-        Step::Ground { point: known, at } if *known == point => Some(of(at)),
-        _ => None,
-    });
-    declared.unwrap_or(Scalar::Coordinate(point, axis))
+    scope.mechanism.ground_place(point).map_or(Scalar::Coordinate(point, axis), of)
 }
 
 /// `distance(P, Q)`: a number where both points are fixed to one body.

@@ -13,6 +13,14 @@ impl Mechanism {
         })
     }
 
+    /// The place of a point of the ground, as it was declared.
+    pub(crate) fn ground_place(&self, point: PointId) -> Option<&[Scalar; 2]> {
+        self.steps.iter().find_map(|step| match step {
+            Step::Ground { point: made, at } if *made == point => Some(at),
+            _ => None,
+        })
+    }
+
     /// The group that makes the link; none where its step is missing.
     pub(crate) fn group_with(&self, link: LinkId) -> Option<&Group> {
         self.group_steps().find(|group| group.links.contains(&link))

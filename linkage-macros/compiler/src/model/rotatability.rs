@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use crate::exact::Exact;
 use crate::reach::absolute;
 use crate::reach::line::BodyLine;
-use crate::reach::turn::{Range, Turn};
+use crate::reach::turn::{Range, Turn, degrees};
 
 use super::assembly::constants;
 use super::folding::shown;
@@ -225,9 +225,7 @@ pub(super) fn note_change_points(scope: &mut Scope<'_>) {
             Some(input) => scope.mechanism.inputs[input.index()].name.to_string(),
             None => format!("{}.angle", scope.mechanism.links[found.crank.index()].name),
         };
-        // Adding zero takes the sign off minus zero.
-        let shown = |angle: &f64| format!("{}°", (angle * 100.0).round() / 100.0 + 0.0);
-        let angles: Vec<_> = found.turn.change_points.iter().map(shown).collect();
+        let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
         let message = format!(
             "`{title}` can be assembled in one way alone at `{angle}` = {}: a change point",
             angles.join(" and ")

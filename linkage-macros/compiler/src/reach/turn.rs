@@ -32,6 +32,13 @@ pub(crate) enum Range {
     Never,
 }
 
+/// An angle in degrees, to a hundredth.
+pub(crate) fn degrees(angle: f64) -> String {
+    let hundredths = (angle * 100.0).round() / 100.0;
+    // Adding zero takes the sign off minus zero.
+    format!("{}°", hundredths + 0.0)
+}
+
 impl Turn {
     /// Two bars between the pin of a crank of this radius and a point of the ground, that far from
     /// the crank's pivot.

@@ -1,5 +1,14 @@
 //! The words of the language: which begin a statement, and which cannot be chosen as names.
 
+/// Words that `_` parts, in front of or behind a type's name: `left_hand` as `LeftHand`.
+pub(crate) fn in_capitals(words: &str) -> String {
+    let capital = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>()
+    };
+    words.split('_').map(capital).collect()
+}
+
 /// Words that begin a statement with braces: drivers, then Assur groups.
 pub(super) use super::anatomy::KEYWORDS as GROUPS;
 

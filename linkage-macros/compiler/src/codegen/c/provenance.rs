@@ -9,6 +9,7 @@ use super::run_time;
 use crate::codegen::identifiers::text;
 use crate::interface::labels;
 use crate::model::mechanism::Mechanism;
+use crate::syntax::words::in_capitals;
 
 /// The version of the compiler, which is the program's.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -30,9 +31,7 @@ impl Prefix {
 
     /// `Arm` as `AcmeArm`.
     pub(crate) fn named(&self, solver: &Ident) -> Ident {
-        let capital = |word: &str| format!("{}{}", word[..1].to_ascii_uppercase(), &word[1..]);
-        let words = self.0.split('_').filter(|word| !word.is_empty()).map(capital);
-        Ident::new(&format!("{}{}", words.collect::<String>(), text(solver)), solver.span())
+        Ident::new(&format!("{}{}", in_capitals(&self.0), text(solver)), solver.span())
     }
 
     /// The name of a file of the run-time, or of a function.

@@ -4,7 +4,7 @@ use crate::codegen::identifiers::text;
 use crate::interface::Interface;
 use crate::interface::entries::Analysis;
 use crate::model::mechanism::{Mechanism, Rotatability};
-use crate::reach::turn::Range;
+use crate::reach::turn::{Range, degrees};
 
 /// Over which angles a crank turns, why, and what happens at change points.
 pub(super) fn in_words(
@@ -57,11 +57,4 @@ pub(super) fn in_words(
                  antiparallelogram: `mode: parallel` keeps it one";
     }
     line
-}
-
-/// An angle to a hundredth of a degree.
-fn degrees(angle: f64) -> String {
-    let hundredths = (angle * 100.0).round() / 100.0;
-    // Adding zero takes the sign off minus zero.
-    format!("{}°", hundredths + 0.0)
 }

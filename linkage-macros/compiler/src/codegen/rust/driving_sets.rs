@@ -31,6 +31,11 @@ impl DrivenSet<'_> {
     fn solver(&self) -> Ident {
         used(&self.mechanism.name)
     }
+
+    fn inputs_in_words(&self) -> String {
+        let inputs = self.mechanism.inputs.iter().map(|input| format!("`{}`", text(&input.name)));
+        inputs.collect::<Vec<_>>().join(", ")
+    }
 }
 
 /// The struct of parameters under the declared name, and what leads from set to set.
@@ -66,10 +71,9 @@ fn structure(
 ) -> TokenStream {
     let (visibility, allowed) = (&mechanism.visibility, module::allowed());
     let (own, attributes) = (&mechanism.docs, structs::attributes(mechanism, paths));
-    let list = sets.iter().map(|DrivenSet { set, mechanism }| {
-        let inputs = mechanism.inputs.iter().map(|input| format!("`{}`", text(&input.name)));
-        let (set, inputs) = (text(set), inputs.collect::<Vec<_>>().join(", "));
-        format!(" - [`{set}()`](Self::{set}): [`{}`], driven by {inputs}.", mechanism.name)
+    let list = sets.iter().map(|set| {
+        let (name, inputs) = (text(set.set), set.inputs_in_words());
+        format!(" - [`{name}()`](Self::{name}): [`{}`], driven by {inputs}.", set.mechanism.name)
     });
     let lines = [" The parameters of one machine. Each set of inputs has a solver of them:", ""];
     let lines = lines.map(str::to_string).into_iter().chain(list);
@@ -103,9 +107,7 @@ fn parameters(
         let (set_name, solver) = (set.set, set.solver());
         let value =
             solver::construct(mechanism, paths, &quote!(#solver), solver::held, solver::held);
-        let inputs = set.mechanism.inputs.iter().map(|input| format!("`{}`", text(&input.name)));
-        let doc =
-            format!(" The solver that is driven by {}.", inputs.collect::<Vec<_>>().join(", "));
+        let doc = format!(" The solver that is driven by {}.", set.inputs_in_words());
         quote! {
             #[doc = #doc]
             #[inline]

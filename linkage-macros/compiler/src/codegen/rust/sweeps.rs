@@ -13,6 +13,7 @@ use crate::codegen::identifiers::{generated, used};
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::interface::records::Shape;
+use crate::syntax::words::in_capitals;
 
 /// `sweep_position` and its kin.
 pub(super) fn items(cx: &Context<'_>) -> TokenStream {
@@ -30,8 +31,7 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
 
 /// `OfForwardDynamics` of `forward_dynamics`: the run-time type that stands for an entry point.
 fn run_time_type(name: &str) -> String {
-    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
-    format!("Of{}", name.split('_').map(capital).collect::<String>())
+    format!("Of{}", in_capitals(name))
 }
 
 struct Sweep<'a> {

@@ -14,7 +14,7 @@ use crate::syntax::tree::{
 
 use crate::model::drawn::figures::{Figure, Pen};
 use crate::model::expr::{Axis, Scalar as Resolved};
-use crate::model::mechanism::{InputId, Mechanism, ParamKind, Step};
+use crate::model::mechanism::{InputId, Mechanism, ParamKind};
 use crate::model::names::{Entity, Names};
 use crate::model::references::{expressions, names_used};
 use crate::model::statements::declared_by;
@@ -159,10 +159,7 @@ impl<'d> Measured<'d> {
     /// Where a point that was resolved is.
     fn place(&self, name: &Ident, written: &[Expr; 2]) -> Option<[Figure; 2]> {
         let Some(Entity::Point(id)) = self.scope.names.entity(name) else { return None };
-        let at = self.mechanism().steps.iter().find_map(|step| match step {
-            Step::Ground { point, at } if *point == id => Some(at),
-            _ => None,
-        })?;
+        let at = self.mechanism().ground_place(id)?;
         let [x, y] = [0, 1].map(|i| self.number(&written[i], &at[i], name.span()));
         Some([x?, y?])
     }
@@ -259,10 +256,7 @@ fn folded(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<Reso
         },
         Resolved::Let(id) => of(&mechanism.lets[id.index()].rest),
         Resolved::Coordinate(point, axis) => {
-            let at = mechanism.steps.iter().find_map(|step| match step {
-                Step::Ground { point: known, at } if known == point => Some(at),
-                _ => None,
-            })?;
+            let at = mechanism.ground_place(*point)?;
             of(&at[usize::from(*axis == Axis::Y)])
         }
         Resolved::Negate(inner) => Some(of(inner)?.negated()),
