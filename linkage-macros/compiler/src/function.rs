@@ -185,11 +185,6 @@ impl Function {
         self.row().last_places
     }
 
-    /// The value at its arguments; a function of one takes the first.
-    pub(crate) fn value<F: Floating>(self, [x, y]: [F; 2]) -> F {
-        F::of(self, x, y)
-    }
-
     /// True if the argument is reduced by turns, which takes words of π.
     pub(crate) const fn reduces_turns(self) -> bool {
         matches!(self, Self::Sin | Self::Cos)
@@ -208,6 +203,7 @@ impl Function {
 
 /// A number of the standard library.
 pub(crate) trait Floating: Copy {
+    /// The value of a function; one of a single argument takes x.
     fn of(function: Function, x: Self, y: Self) -> Self;
 }
 

@@ -1,11 +1,12 @@
 //! START HERE: the phases in order, each with what is true after it.
 
+mod parsed;
 mod several_sets;
 mod written_values;
 
 pub use written_values::{WrittenValue, quantity};
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Span, TokenStream, TokenTree};
 
 use crate::codegen::Drawing;
 use crate::codegen::c::provenance::{Prefix, Provenance, hash};
@@ -20,11 +21,13 @@ use crate::interface::units_in_words::unit;
 use crate::ir::interpret::ProgramValues;
 use crate::ir::posing::{Conditions, UnknownWords, placed};
 use crate::ir::program::Program;
+use crate::model::Stub;
 use crate::model::mechanism::{Mechanism, Param};
-use crate::model::{DrivenBySet, Stub};
 use crate::report::{self, Report, ReportOptions};
 use crate::syntax::tree::Declaration;
-use crate::{blocks, codegen, equations, lower, model, passes, syntax};
+use crate::{codegen, equations, lower, model, passes};
+
+use parsed::{Parsed, parsed};
 
 /// The parts that are generated beside the solver. The default is none.
 #[derive(Clone, Copy, Debug, Default)]
@@ -74,25 +77,17 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     // The numbers of one declaration are not those of the next.
     let _atoms = AtomScope::begin();
     let mut diagnostics = Diagnostics::new();
-    let (tokens, chosen) = blocks::chosen(source.clone());
-    let declaration = syntax::parse(tokens, &mut diagnostics);
-    if let (Some(tree), None) = (&declaration, &chosen) {
-        let reported = diagnostics.count();
-        let drivings = model::drivings(tree, &mut diagnostics);
-        if !drivings.is_empty() {
-            let sets = (&drivings[..], diagnostics.count() == reported);
-            return several_sets::compile(tree, sets, (&source, options), diagnostics);
-        }
+    let parsed = parsed(source.clone(), &mut diagnostics);
+    if let Some(sets) = parsed.as_ref().filter(|parsed| parsed.means_all_sets()) {
+        return several_sets::compile(sets, (&source, options), diagnostics);
     }
-    let declaration = declaration.map(|tree| driven_by(tree, chosen, &mut diagnostics));
+    let declaration = parsed.map(Parsed::driven);
     let resolved = declaration.as_ref().map(|tree| resolved(tree, &mut diagnostics));
     let notes = diagnostics.take_notes();
     match (resolved, diagnostics.finish()) {
         (Some(Ok(mechanism)), Ok(())) => {
-            let placing = options.sketch.then(|| placing(&mechanism));
             let text = options.page.then(|| text(&source));
-            let drawn = placing.as_ref().map(|program| (program, text.as_deref()));
-            let tokens = code(&mechanism, &program(&mechanism), drawn, options);
+            let tokens = solver(&mechanism, text.as_deref(), options);
             Output { tokens, diagnostics: Vec::new(), notes }
         }
         (resolved, Err(Failure(diagnostics))) => {
@@ -291,22 +286,9 @@ pub(crate) fn read(
     source: TokenStream,
     diagnostics: &mut Diagnostics,
 ) -> (Option<Declaration>, Option<Result<Mechanism, Stub>>) {
-    let (tokens, chosen) = blocks::chosen(source);
-    let declaration = syntax::parse(tokens, diagnostics);
-    let declaration = declaration.map(|tree| driven_by(tree, chosen, diagnostics));
+    let declaration = parsed(source, diagnostics).map(Parsed::driven);
     let resolved = declaration.as_ref().map(|tree| resolved(tree, diagnostics));
     (declaration, resolved)
-}
-
-/// The declaration that the chosen one of several sets drives, the first where none is chosen.
-fn driven_by(
-    tree: Declaration,
-    chosen: Option<Ident>,
-    diagnostics: &mut Diagnostics,
-) -> Declaration {
-    let mut drivings = model::drivings(&tree, diagnostics).into_iter();
-    let is_chosen = |driving: &DrivenBySet| chosen.as_ref().is_none_or(|set| driving.set == *set);
-    drivings.find(is_chosen).map_or(tree, |driving| driving.tree)
 }
 
 /// The meaning of a declaration.
@@ -332,6 +314,13 @@ pub(crate) fn program(mechanism: &Mechanism) -> Program {
     let program = equations::derive(mechanism, passes::RULES);
     // Nothing is left that no entry needs, and products are contracted into their sums.
     passes::optimise(&program)
+}
+
+/// The solver, and with it what draws the mechanism where that is asked for.
+fn solver(mechanism: &Mechanism, text: Option<&str>, options: &Options) -> TokenStream {
+    let placing = options.sketch.then(|| placing(mechanism));
+    let drawn = placing.as_ref().map(|program| (program, text));
+    code(mechanism, &program(mechanism), drawn, options)
 }
 
 /// The same for the program by which the mechanism is drawn, which shares nothing with the solver's.

@@ -82,7 +82,8 @@ fn done(text: &str, task: u32) -> Vec<u8> {
     let declaration = declarations(tokens.clone()).into_iter().next().unwrap_or(tokens);
     match task {
         CHECK => checked(text, declaration).to_string().into_bytes(),
-        RUST => rust(text, declaration).into_bytes(),
+        // Rust needs the declaration alone, but one without mistakes.
+        RUST => linkage_compiler::page(declaration).map_or(Vec::new(), |_| rust(text).into_bytes()),
         ALL => all(text, &declaration),
         _ => archive(&printed(declaration, task, "")),
     }
@@ -108,11 +109,8 @@ fn printed(declaration: TokenStream, task: u32, folder: &str) -> Files {
     files.map(|file| (format!("{folder}{}", file.name), file.text.into_bytes())).collect()
 }
 
-/// The text as a program in Rust, where it has no mistake: Rust needs the declaration alone.
-fn rust(text: &str, declaration: TokenStream) -> String {
-    if linkage_compiler::page(declaration).is_err() {
-        return String::new();
-    }
+/// The text as a program in Rust.
+fn rust(text: &str) -> String {
     let call = match text.contains("mechanism!") {
         true => text.to_string(),
         false => format!("mechanism! {{\n{}\n}}\n", text.trim_end()),
@@ -132,7 +130,7 @@ fn all(text: &str, declaration: &TokenStream) -> Vec<u8> {
     let fmu = archive(&printed(declaration.clone(), FMU, ""));
     let mut files = printed(declaration.clone(), C, "c/");
     files.extend([
-        (format!("{name}.rs"), rust(text, declaration.clone()).into_bytes()),
+        (format!("{name}.rs"), rust(text).into_bytes()),
         (format!("{name}.html"), page(&parts, text).into_bytes()),
         (format!("{name}.fmu"), fmu),
     ]);

@@ -5,17 +5,16 @@ mod tests;
 
 use proc_macro2::TokenStream;
 
-use super::{Options, Output, code, placing, program, resolved, stub, text};
+use super::parsed::Parsed;
+use super::{Options, Output, resolved, solver, stub, text};
 use crate::codegen::{DrivenSet, generate_sets};
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::model::mechanism::Mechanism;
 use crate::model::{DrivenBySet, Stub};
-use crate::syntax::tree::Declaration;
 
 /// Compiles the declaration once a set.
 pub(super) fn compile(
-    declaration: &Declaration,
-    (drivings, are_well): (&[DrivenBySet], bool),
+    Parsed { tree, drivings, are_well, .. }: &Parsed,
     (source, options): (&TokenStream, &Options),
     mut diagnostics: Diagnostics,
 ) -> Output {
@@ -38,16 +37,12 @@ pub(super) fn compile(
             Err(Stub(mechanism)) => mechanism,
         };
         tokens.extend(match resolved {
-            Ok(mechanism) if diagnostics.is_empty() => {
-                let placing = options.sketch.then(|| placing(mechanism));
-                let drawn = placing.as_ref().map(|program| (program, text.as_deref()));
-                code(mechanism, &program(mechanism), drawn, options)
-            }
+            Ok(mechanism) if diagnostics.is_empty() => solver(mechanism, text.as_deref(), options),
             _ => stub(&driving.tree, mechanism, options),
         });
         sets.push(DrivenSet { set: &driving.set, mechanism });
     }
-    tokens.extend(generate_sets(&declaration.name, &sets));
+    tokens.extend(generate_sets(&tree.name, &sets));
     let notes = if diagnostics.is_empty() { notes } else { Vec::new() };
     Output { tokens, diagnostics, notes }
 }

@@ -1,8 +1,8 @@
 //! The amounts of friction that depend on each other, by Newton's method on any kind of number.
 
-use super::Number;
 use crate::exact::Exact;
 use crate::ir::implicit::Contacts;
+use crate::ir::interpret::Number;
 
 /// Enough for a hundred digits where friction is moderate: each step squares what is left, and ρ² is left of
 /// the first value.
