@@ -36,7 +36,7 @@ const CYCLE: [[f64; 3]; 6] = [
 ];
 const LEG: f64 = 1.5;
 
-/// Lengths, rates and second rates at time `t`: fifth-order transitions, at rest at each corner.
+/// Lengths, rates and accelerations at time `t`: fifth-order transitions, at rest at each corner.
 fn cylinders(t: f64) -> [[f64; 3]; 3] {
     let leg = ((t / LEG) as usize).min(CYCLE.len() - 2);
     let s = t / LEG - leg as f64;

@@ -26,7 +26,7 @@ mechanism! {
     }
 }
 
-/// The ram's way in a cycle of one second, its rate and its second rate: in as a versine, a dwell,
+/// The ram's way in a cycle of one second, its rate and its acceleration: in as a versine, a dwell,
 /// and back.
 fn command(t: f64) -> [f64; 3] {
     const TOP: f64 = 0.325;

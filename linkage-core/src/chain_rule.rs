@@ -9,7 +9,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::scalar::lit;
+use crate::scalar::{Sealed, lit};
 use crate::{LibraryFunction, Real, Scalar};
 
 /// A real part with derivatives that follow the chain rule, up to the third.
@@ -86,6 +86,8 @@ fn along_and_across<D: Compose>(x: D, y: D) -> (D, D, D::Part) {
 fn are_constant<D: Compose>(x: D, y: D) -> bool {
     x.derivatives_all(is_zero) && y.derivatives_all(is_zero)
 }
+
+impl<D: Compose> Sealed for D {}
 
 impl<D: Compose> Scalar for D {
     type Mask = bool;

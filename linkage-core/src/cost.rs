@@ -4,6 +4,7 @@ use core::fmt;
 
 /// Floating-point operations of one evaluation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Operations {
     /// Additions and subtractions.
     pub additions: u32,
@@ -17,8 +18,10 @@ pub struct Operations {
     pub sines: u32,
 }
 
-/// The cost of a solver, as `COST` of the generated struct states it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The cost of a solver, as `COST` of the generated struct states it. Searches of unknowns are not
+/// part of the entry points' operations: they stand beside them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Cost {
     /// One call of `position`.
     pub position: Operations,
@@ -26,29 +29,21 @@ pub struct Cost {
     pub motion: Operations,
     /// One call of `coefficients`.
     pub coefficients: Operations,
-}
-
-/// The cost of a solver with masses or loads, as `COST` of the generated struct states it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ForcesCost {
-    /// One call of `position`.
-    pub position: Operations,
-    /// One call of `motion`: position, velocity and acceleration together.
-    pub motion: Operations,
-    /// One call of `coefficients`.
-    pub coefficients: Operations,
-    /// One call of `forces`.
+    /// One call of `forces`; nothing where there are no masses or loads.
     pub forces: Operations,
-    /// One call of `statics`.
+    /// One call of `statics`; nothing where there are no masses or loads.
     pub statics: Operations,
     /// One call of `energy`; nothing where it is not asked for.
     pub energy: Operations,
     /// One call of `forward_dynamics`; nothing where an input moves no mass.
     pub forward_dynamics: Operations,
+    /// Each unknown, in any of these.
+    pub searches: &'static [SearchCost],
 }
 
 /// The cost of finding one unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct SearchCost {
     /// The unknown; of a drawing, the links for which it was put.
     pub unknown: &'static str,
@@ -61,39 +56,41 @@ pub struct SearchCost {
     pub evaluations_f32: u32,
 }
 
-/// The cost of a solver with unknowns, as `COST` of the generated struct states it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SearchingCost {
-    /// One call of `position`, but for the searches.
-    pub position: Operations,
-    /// One call of `motion`: position, velocity and acceleration together, but for the searches.
-    pub motion: Operations,
-    /// One call of `coefficients`, but for the searches.
-    pub coefficients: Operations,
-    /// Each unknown, in any of these.
-    pub searches: &'static [SearchCost],
+/// The operations of one entry point as generated code states them: additions, multiplications,
+/// divisions, roots and sines.
+type Counts = [u32; 5];
+
+/// The cost of a solver: `position`, `motion` and `coefficients`, and with masses or loads `forces`,
+/// `statics`, `energy` and `forward_dynamics`.
+#[must_use]
+pub const fn cost(points: &[Counts], searches: &'static [SearchCost]) -> Cost {
+    Cost {
+        position: nth(points, 0),
+        motion: nth(points, 1),
+        coefficients: nth(points, 2),
+        forces: nth(points, 3),
+        statics: nth(points, 4),
+        energy: nth(points, 5),
+        forward_dynamics: nth(points, 6),
+        searches,
+    }
 }
 
-/// The cost of a solver with unknowns and with masses or loads, as `COST` of the generated struct
-/// states it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SearchingForcesCost {
-    /// One call of `position`, but for the searches.
-    pub position: Operations,
-    /// One call of `motion`: position, velocity and acceleration together, but for the searches.
-    pub motion: Operations,
-    /// One call of `coefficients`, but for the searches.
-    pub coefficients: Operations,
-    /// One call of `forces`, but for the searches.
-    pub forces: Operations,
-    /// One call of `statics`, but for the searches.
-    pub statics: Operations,
-    /// One call of `energy`, but for the searches; nothing where it is not asked for.
-    pub energy: Operations,
-    /// One call of `forward_dynamics`, but for the searches; nothing where an input moves no mass.
-    pub forward_dynamics: Operations,
-    /// Each unknown, in any of these.
-    pub searches: &'static [SearchCost],
+/// The cost of an unknown: of one evaluation, and the most evaluations in `f64` and in `f32`.
+#[must_use]
+pub const fn search_cost(unknown: &'static str, of_one: Counts, most: [u32; 2]) -> SearchCost {
+    let [evaluations, evaluations_f32] = most;
+    SearchCost { unknown, evaluation: operations(of_one), evaluations, evaluations_f32 }
+}
+
+/// The operations at a place of a list; none beyond its end.
+const fn nth(points: &[Counts], place: usize) -> Operations {
+    operations(if place < points.len() { points[place] } else { [0; 5] })
+}
+
+const fn operations(counts: Counts) -> Operations {
+    let [additions, multiplications, divisions, roots, sines] = counts;
+    Operations { additions, multiplications, divisions, roots, sines }
 }
 
 impl Operations {
@@ -116,21 +113,18 @@ impl fmt::Display for Operations {
 
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "position: {}; motion: {}; coefficients: {}",
-            self.position, self.motion, self.coefficients
-        )
-    }
-}
-
-impl fmt::Display for ForcesCost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { position, motion, coefficients, forces, statics, energy, forward_dynamics } =
-            *self;
-        let motion = Cost { position, motion, coefficients };
-        write!(f, "{motion}; forces: {forces}; statics: {statics}; energy: {energy}; ")?;
-        write!(f, "forward dynamics: {forward_dynamics}")
+        let Self { position, motion, coefficients, .. } = self;
+        write!(f, "position: {position}; motion: {motion}; coefficients: {coefficients}")?;
+        let of_forces = [
+            ("forces", self.forces),
+            ("statics", self.statics),
+            ("energy", self.energy),
+            ("forward dynamics", self.forward_dynamics),
+        ];
+        for (name, cost) in of_forces.into_iter().filter(|(_, cost)| cost.total() > 0) {
+            write!(f, "; {name}: {cost}")?;
+        }
+        self.searches.iter().try_for_each(|search| write!(f, "; {search}"))
     }
 }
 
@@ -141,32 +135,6 @@ impl fmt::Display for SearchCost {
     }
 }
 
-impl fmt::Display for SearchingCost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { position, motion, coefficients, searches } = *self;
-        write!(f, "{}", Cost { position, motion, coefficients })?;
-        searches.iter().try_for_each(|search| write!(f, "; {search}"))
-    }
-}
-
-impl fmt::Display for SearchingForcesCost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { position, motion, coefficients, forces, statics, energy, .. } = *self;
-        let Self { forward_dynamics, searches, .. } = *self;
-        let closed = ForcesCost {
-            position,
-            motion,
-            coefficients,
-            forces,
-            statics,
-            energy,
-            forward_dynamics,
-        };
-        write!(f, "{closed}")?;
-        searches.iter().try_for_each(|search| write!(f, "; {search}"))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -174,39 +142,35 @@ mod tests {
 
     #[test]
     fn a_cost_reads_as_a_list_of_operations() {
-        let position =
-            Operations { additions: 20, multiplications: 31, divisions: 2, roots: 1, sines: 1 };
-        assert_eq!(position.to_string(), "20 add, 31 mul, 2 div, 1 sqrt, 1 sin/cos");
-        assert_eq!(position.total(), 55);
-        let cost = Cost { position, ..Cost::default() };
-        assert!(cost.to_string().starts_with("position: 20 add"));
-        const SEARCHES: &[SearchCost] = &[SearchCost {
-            unknown: "theta",
-            evaluation: Operations { additions: 3, ..Operations { sines: 1, ..EMPTY } },
-            evaluations: 61,
-            evaluations_f32: 32,
-        }];
-        const EMPTY: Operations =
-            Operations { additions: 0, multiplications: 0, divisions: 0, roots: 0, sines: 0 };
-        let motion = Operations::default();
-        let searching =
-            SearchingCost { position, motion, coefficients: motion, searches: SEARCHES };
-        let words = "; theta: up to 61 (f32: 32) times 3 add, 0 mul, 0 div, 0 sqrt, 1 sin/cos";
-        assert!(searching.to_string().ends_with(words), "{searching}");
-        let of_forces = SearchingForcesCost {
-            position,
-            motion,
-            coefficients: motion,
-            forces: position,
-            statics: motion,
-            energy: motion,
-            forward_dynamics: motion,
-            searches: SEARCHES,
-        };
-        assert!(of_forces.to_string().contains("; forces: 20 add"), "{of_forces}");
-        assert!(of_forces.to_string().ends_with(words), "{of_forces}");
+        const BARE: Cost = cost(&[[20, 31, 2, 1, 1], [0; 5], [0; 5]], &[]);
+        assert_eq!(BARE.position.to_string(), "20 add, 31 mul, 2 div, 1 sqrt, 1 sin/cos");
+        assert_eq!(BARE.position.total(), 55);
+        assert_eq!(
+            BARE.to_string(),
+            "position: 20 add, 31 mul, 2 div, 1 sqrt, 1 sin/cos; \
+             motion: 0 add, 0 mul, 0 div, 0 sqrt, 0 sin/cos; \
+             coefficients: 0 add, 0 mul, 0 div, 0 sqrt, 0 sin/cos"
+        );
+    }
+
+    #[test]
+    fn each_entry_point_has_its_own_operations() {
+        const SEARCHES: &[SearchCost] = &[search_cost("theta", [3, 0, 0, 0, 1], [61, 32])];
+        const ALL: Cost =
+            cost(&[[1; 5], [2; 5], [3; 5], [4; 5], [5; 5], [0; 5], [7, 8, 9, 10, 11]], SEARCHES);
+        let totals =
+            [ALL.position, ALL.motion, ALL.coefficients, ALL.forces, ALL.statics, ALL.energy]
+                .map(Operations::total);
+        assert_eq!(totals, [5, 10, 15, 20, 25, 0]);
+        let words = ALL.to_string();
+        assert!(!words.contains("energy"), "{words}");
         assert!(
-            cost.to_string().ends_with("; coefficients: 0 add, 0 mul, 0 div, 0 sqrt, 0 sin/cos")
+            words.ends_with(
+                "statics: 5 add, 5 mul, 5 div, 5 sqrt, 5 sin/cos; \
+                 forward dynamics: 7 add, 8 mul, 9 div, 10 sqrt, 11 sin/cos; \
+                 theta: up to 61 (f32: 32) times 3 add, 0 mul, 0 div, 0 sqrt, 1 sin/cos"
+            ),
+            "{words}"
         );
     }
 }

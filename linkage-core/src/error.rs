@@ -137,8 +137,10 @@ fn is_spring(group: &str) -> bool {
 }
 
 impl SolveError {
-    /// The subject of the error: the group that has no pose, or the unknown, input or parameter.
-    pub(crate) const fn culprit(self) -> &'static str {
+    /// The subject of the error, by its name in the declaration: the group that has no pose, the joint that jams, or
+    /// the unknown, input or parameter.
+    #[must_use]
+    pub const fn culprit(self) -> &'static str {
         match self {
             Self::OutOfReach { group, .. }
             | Self::Singular { group }

@@ -9,7 +9,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use crate::kernels::{self, Float, Fusion, Plain};
-use crate::scalar::{elementary, root_of_squares};
+use crate::scalar::{Sealed, elementary, root_of_squares};
 use crate::{LibraryFunction, Mask, Scalar};
 
 /// `W` numbers of type `T`.
@@ -117,6 +117,8 @@ impl<const W: usize> BitAnd for LaneMask<W> {
     }
 }
 
+impl<const W: usize> Sealed for LaneMask<W> {}
+
 impl<const W: usize> Mask for LaneMask<W> {
     const ALL: Self = Self([true; W]);
 
@@ -210,6 +212,8 @@ macro_rules! lanes {
         })*
     };
 }
+
+impl<T: Float, const W: usize, F: Fusion> Sealed for Lanes<T, W, F> {}
 
 impl<T: Float, const W: usize, F: Fusion> Scalar for Lanes<T, W, F> {
     type Mask = LaneMask<W>;

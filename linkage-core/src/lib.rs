@@ -114,6 +114,13 @@
 //! and with the standard library linked, single numbers use it. Elsewhere they never do, so that
 //! results are the same bits on every such target, a microcontroller and the machine it is
 //! developed on included.
+//!
+//! # Versions
+//!
+//! Rust 1.89 or later; a later one may be asked for by any minor version. What semantic versioning covers is what a
+//! declaration means, the names that it generates, this crate's visible items, and the numbers to the tolerances that
+//! the manual states. It does not cover the words of messages, the last bits of a number, the code that a declaration
+//! expands to, or hidden items. A new major version of [`nalgebra`] or `num_dual` is one of this crate.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(unsafe_code)]
@@ -168,7 +175,7 @@ mod tracker;
 mod transfer;
 mod unavailable;
 
-pub use cost::{Cost, ForcesCost, Operations, SearchCost, SearchingCost, SearchingForcesCost};
+pub use cost::{Cost, Operations, SearchCost};
 pub use crossing::Trend;
 #[cfg(feature = "ad")]
 pub use derivatives::{Derivatives, Differentiable, differentiate, differentiate_twice};
@@ -185,9 +192,10 @@ pub use results::{
     SlidingAcceleration, SlidingDirection, SlidingVelocity,
 };
 pub use scalar::{Mask, Real, Scalar};
+pub use solver::Solver;
 pub use sweep::{LengthMismatch, Progress, Series, Status, unwanted};
 pub use tracker::Tracker;
-pub use transfer::{Transfer, TransferError};
+pub use transfer::{CarriesOver, Transfer, TransferError};
 pub use unavailable::Inputs;
 
 #[cfg(feature = "nalgebra")]

@@ -8,6 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A function whose only argument is a number, and which any [`Scalar`](crate::Scalar) applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum LibraryFunction {
     /// eˣ; infinite above 709.78 (`f32`: 88.72).
     Exp,

@@ -34,7 +34,7 @@ pub trait Mechanism {
     /// The numbers it computes with.
     type Scalar: Scalar;
 
-    /// `[Scalar; N]`: a value, a rate or a second rate of each input, in the order of `INPUTS`; SI
+    /// `[Scalar; N]`: a value, a rate or an acceleration of each input, in the order of `INPUTS`; SI
     /// units.
     type Inputs: Copy + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
 

@@ -2,7 +2,7 @@
 
 use crate::kernels::arithmetic::Arithmetic;
 use crate::kernels::{self, Elementary, Float, Native};
-use crate::scalar::{elementary, root_of_squares};
+use crate::scalar::{Sealed, elementary, root_of_squares};
 use crate::tracker::AffineForm;
 use crate::{LibraryFunction, Real, Scalar};
 
@@ -25,6 +25,8 @@ macro_rules! by_kernels {
 macro_rules! scalar {
     ($t:ident, lit: $lit:expr, plain: $plain:expr, sqrt: $sqrt:path, near: $near:path,
      hypot: $hypot:path, library: $width:ident $pow:path) => {
+        impl Sealed for $t {}
+
         impl Scalar for $t {
             type Mask = bool;
 

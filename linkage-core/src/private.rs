@@ -20,6 +20,7 @@ pub use core::result::Result::{self, Err, Ok};
 pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
 pub use crate::checks::{AllMet, Behind, Checks, FirstError};
 pub use crate::clearance::{Clearance, told};
+pub use crate::cost::{cost, search_cost};
 pub use crate::crossing::Trend;
 #[cfg(feature = "ad")]
 pub use crate::derivatives::{Differentiable, differentiate, jacobian};
@@ -32,7 +33,7 @@ pub use crate::roots::FindError;
 pub use crate::roots::bound::bound;
 pub use crate::roots::seed::{Apart, Seed, root_by_seed};
 pub use crate::roots::unknown::{open, root, root_within_a_turn};
-pub use crate::scalar::is_finite_unless;
+pub use crate::scalar::{Sealed, is_finite_unless};
 #[cfg(feature = "sketch")]
 pub use crate::sketch::{
     Applied, Drawn, Element, Film, Member, Plan, Sketch, Spring, applied, followed, place,
@@ -53,10 +54,9 @@ pub use crate::with_page_ as with_page;
 pub use crate::with_serde_ as with_serde;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
-    AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, ForcesCost, GuideForce,
-    Mask, Mechanism, Operations, Point, Real, Record, Scalar, SearchCost, SearchingCost,
-    SearchingForcesCost, Sense, Shaking, Side, Slide, SlidingAcceleration, SlidingDirection,
-    SlidingVelocity, SolveError,
+    AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, GuideForce, Mask,
+    Mechanism, Point, Real, Record, Scalar, Sense, Shaking, Side, Slide, SlidingAcceleration,
+    SlidingDirection, SlidingVelocity, SolveError,
 };
 #[cfg(feature = "sketch")]
 pub use core::iter::IntoIterator;
@@ -74,8 +74,8 @@ pub mod names {
     pub use super::{
         AllMet, AngularAcceleration, AngularVelocity, Checks, Clearance, Clone, Copy, Cost, Debug,
         Default, Direction, Float, Fn, FnMut, FnOnce, From, Inputs, Into, LengthMismatch, OfMotion,
-        OfPosition, OfVelocity, Ok, Operations, Option, PartialEq, PhantomData, Point, Progress,
-        Real, Record, Result, Scalar, Series, Side, Slide, SlidingAcceleration, SlidingDirection,
+        OfPosition, OfVelocity, Ok, Option, PartialEq, PhantomData, Point, Progress, Real, Record,
+        Result, Scalar, Series, Side, Slide, SlidingAcceleration, SlidingDirection,
         SlidingVelocity, SolveError, Solver, Some, Status, Titles, derive, f64, str, usize,
     };
 }

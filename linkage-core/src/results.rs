@@ -77,7 +77,7 @@ pub struct SlidingDirection<T = f64> {
     pub slide: T,
 }
 
-/// The slide of a link that does not turn, or its first or second rate: metres, m/s or m/s².
+/// The slide of a link that does not turn, or its velocity or acceleration: metres, m/s or m/s².
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
@@ -115,7 +115,7 @@ pub struct AngularAcceleration<T = f64> {
     pub alpha: T,
 }
 
-/// The angular acceleration of a link that slides, and the second rate of its slide.
+/// The angular acceleration of a link that slides, and the acceleration of its slide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]

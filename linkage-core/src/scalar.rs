@@ -9,6 +9,9 @@ use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use crate::LibraryFunction;
 
+/// What keeps [`Scalar`] and [`Mask`] to this crate. Hidden, and not private: tests compute with numbers of their own.
+pub trait Sealed {}
+
 /// Calls a macro with the elementary functions, each before its kernel's name: behind the macro's first tokens
 /// those of one number, then those of two. Whatever only passes them on is written by such a macro, so that
 /// one more function is a word here.
@@ -23,8 +26,9 @@ macro_rules! elementary {
 }
 pub(crate) use elementary;
 
-/// The answer of a comparison: `bool` for a single number, one `bool` a lane for lanes.
-pub trait Mask: Copy + BitAnd<Output = Self> {
+/// The answer of a comparison: `bool` for a single number, one `bool` a lane for lanes. Implemented by this crate
+/// alone.
+pub trait Mask: Copy + BitAnd<Output = Self> + Sealed {
     /// The answer yes everywhere.
     const ALL: Self;
     /// True if the answer is yes everywhere.
@@ -56,6 +60,8 @@ pub trait Mask: Copy + BitAnd<Output = Self> {
     }
 }
 
+impl Sealed for bool {}
+
 impl Mask for bool {
     const ALL: Self = true;
     #[inline]
@@ -65,7 +71,8 @@ impl Mask for bool {
 }
 
 /// A number that generated code can compute with: `f32`, `f64`, [`Lanes`](crate::Lanes) of them,
-/// and, with the feature `ad`, the dual numbers of `num-dual` over `f32` or `f64`.
+/// and, with the feature `ad`, the dual numbers of `num-dual` over `f32` or `f64`. Implemented by this crate alone, so
+/// that it can ask more of a number without a break.
 pub trait Scalar:
     Copy
     + Debug
@@ -74,6 +81,7 @@ pub trait Scalar:
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
+    + Sealed
     + 'static
 {
     /// The answer of a comparison.

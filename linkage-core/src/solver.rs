@@ -24,7 +24,26 @@ pub struct Titles {
     pub groups: &'static [(&'static str, Option<usize>)],
 }
 
-/// A solver; implemented by generated code.
+/// A solver, whichever mechanism it is of: what [`Tracker`](crate::Tracker), [`Transfer`](crate::Transfer) and the
+/// searches of [`range`](crate::range) are generic over.
+///
+/// Every `mechanism!` implements it, and nothing else can be relied on to: it has hidden items, which change. Code that
+/// wants rows of numbers takes [`Mechanism`](crate::Mechanism).
+///
+/// ```
+/// use linkage_core::{Solver, mechanism};
+///
+/// mechanism! {
+///     struct Crank { input q: angle; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: q } }
+/// }
+///
+/// /// True if the mechanism can be assembled at every one of these inputs.
+/// fn assembles<S: Solver>(solver: &S, at: impl IntoIterator<Item = S::Input>) -> bool {
+///     at.into_iter().all(|q| solver.position(q).is_ok())
+/// }
+///
+/// assert!(assembles(&Crank::new(), [0.0, 1.0, 2.0]));
+/// ```
 pub trait Solver: Copy {
     /// The numbers it computes with.
     type Scalar: Real;
@@ -37,23 +56,30 @@ pub trait Solver: Copy {
     /// The result of `motion`.
     type Motion: Record<Number = Self::Scalar> + Copy;
     /// `[Scalar; N]`: a number for each scalar row of the outputs.
+    #[doc(hidden)]
     type Rows: Copy + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
     /// The result of `coefficients`.
+    #[doc(hidden)]
     type Coefficients: Copy + AsRef<[<Self::Input as Record>::Array]>;
     /// `[X; N]`: something for each group in the titles.
+    #[doc(hidden)]
     type Groups<X: Copy>: Copy + AsRef<[X]>;
 
     /// Names.
+    #[doc(hidden)]
     const TITLES: Titles;
 
     /// True if the solver searches for an unknown: it might then find another root where one is lost.
+    #[doc(hidden)]
     const SEARCHES: bool = false;
 
     /// Changes the mode that a parameter holds into its opposite; nothing where none does.
     #[inline]
+    #[doc(hidden)]
     fn flip(&mut self, _param: usize) {}
 
     /// The input of these numbers, asked one by one.
+    #[doc(hidden)]
     fn input(number: impl FnMut(usize) -> Self::Scalar) -> Self::Input;
 
     /// The solver's `position`.
@@ -83,18 +109,22 @@ pub trait Solver: Copy {
     ///
     /// # Errors
     /// The solver's.
+    #[doc(hidden)]
     fn coefficients(&self, q: Self::Input) -> Result<Self::Coefficients, SolveError>;
 
     /// The rows of a position.
+    #[doc(hidden)]
     fn position_rows(position: Self::Position) -> Self::Rows;
 
     /// The rows of the three parts of a motion.
+    #[doc(hidden)]
     fn motion_rows(motion: Self::Motion) -> [Self::Rows; 3];
 
     /// The fast path, for lanes as for any number: of `position`, `velocity` or `motion`, as `ORDER` is
     /// 0, 1 or 2. It is given numbers by their places, first the inputs' values and then their rates,
     /// puts the numbers of the result, and says whether they may be used; where they may not be, there
     /// need not be any.
+    #[doc(hidden)]
     fn solve<const ORDER: usize, U: Scalar>(
         &self,
         given: impl Fn(usize) -> U,
@@ -105,6 +135,7 @@ pub trait Solver: Copy {
     /// numbers as [`solve`](Self::solve) is, and puts those of the result where they may be used. Where
     /// they may not be, or nothing is searched by a seed, a single call is to follow.
     #[inline]
+    #[doc(hidden)]
     fn follow<const ORDER: usize>(
         &self,
         _seeds: &mut [Seed<Self::Scalar>],
@@ -117,6 +148,7 @@ pub trait Solver: Copy {
     /// Maps each group's clearance, as (value, scale), through `of`. The numbers are of another type:
     /// `standing` converts the parameters, and `input` gives the inputs. Groups that depend on one
     /// out of reach have NaN.
+    #[doc(hidden)]
     fn told<U: Real, X: Copy>(
         &self,
         standing: impl Fn(Self::Scalar) -> U,
@@ -126,6 +158,7 @@ pub trait Solver: Copy {
 
     /// The clearances of the groups. Groups that depend on one out of reach have NaN.
     #[inline]
+    #[doc(hidden)]
     fn clearances(
         &self,
         q: Self::Input,
@@ -140,6 +173,7 @@ pub trait Solver: Copy {
     /// All values and scales of the clearances while the inputs lie no farther than `radius` from
     /// `middle`, without rates: a fraction of the work.
     #[inline]
+    #[doc(hidden)]
     fn values(
         &self,
         middle: Self::Input,
@@ -152,6 +186,7 @@ pub trait Solver: Copy {
 
     /// The clearances with rates while the inputs lie no farther than `radius` from `middle`.
     #[inline]
+    #[doc(hidden)]
     fn enclosures(
         &self,
         middle: Self::Input,

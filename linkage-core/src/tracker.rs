@@ -9,7 +9,7 @@
 //! the next the tracker follows these values along the straight line from input to input, so it
 //! does not matter whether a sample falls on the change point, next to it, or far on either side.
 //! That none is missed is proved stretch by stretch, by ranges that hold all that the values and
-//! their first and second rates can be between two inputs.
+//! their velocities and accelerations can be between two inputs.
 //!
 //! This module contains no formula of a group: generated code gives the clearance of each group
 //! ([`Solver`]).
@@ -184,7 +184,7 @@ impl<M: Solver> Tracker<M> {
         })
     }
 
-    /// Any answer of the solver at the inputs, by the modes that continue the last pose: second rates
+    /// Any answer of the solver at the inputs, by the modes that continue the last pose: accelerations
     /// under forces, reactions, an energy. `rate` is the rate at which the inputs move; it tells a
     /// first pose that lies on a change point where the motion comes from. `answer` is called with the
     /// solver to ask, at one or several places.

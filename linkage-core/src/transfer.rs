@@ -76,10 +76,13 @@ impl AssembledSide {
 /// A solver whose poses are those of another, driven otherwise. Implemented by generated code.
 pub trait CarriesOver<B: Solver, const N: usize>: Solver {
     /// The inputs of the other.
+    #[doc(hidden)]
     const COORDINATES: [Place; N];
     /// The sides of the other's groups.
+    #[doc(hidden)]
     const SIDES: &'static [AssembledSide];
     /// Rows of points, here and there, and the group that places each there, where the other is asked.
+    #[doc(hidden)]
     const COMPARED: &'static [(usize, usize, &'static str)];
 
     /// The other solver, with the parameters of this one.
@@ -171,7 +174,7 @@ where
         Ok(picked::<A, B, N>(&rates.into_array(), rows.as_ref()))
     }
 
-    /// The inputs, rates and second rates of the other.
+    /// The inputs, rates and accelerations of the other.
     ///
     /// # Errors
     /// Those of the first solver's `motion`.

@@ -90,7 +90,7 @@ conditions! {
     #[diagnostic::on_unimplemented(
         message = "this mechanism has no `holding`: it gives the drives of one input between which friction holds",
         label = "there are several inputs, or no friction",
-        note = "declare `friction 0.1 at C radius 8mm;`; of several inputs, `statics` takes a creep for each"
+        note = "declare `friction 0.1 at C radius 8mm;`; of several inputs, `statics` takes the direction of impending motion of each"
     )]
     HoldsOneInput
 
@@ -98,7 +98,7 @@ conditions! {
     #[diagnostic::on_unimplemented(
         message = "there is no `acceleration`: `motion` gives it, with position and velocity",
         label = "write `motion` in place of `acceleration`",
-        note = "as in `solver.motion(q, rate, second_rate)?.acceleration`"
+        note = "as in `solver.motion(q, rate, acceleration)?.acceleration`"
     )]
     GivesAccelerationsAlone
 
@@ -106,7 +106,7 @@ conditions! {
     #[diagnostic::on_unimplemented(
         message = "a tracker has no method of this name; ask its solver, on the branch that it follows",
         label = "give this to `follow`",
-        note = "as in `tracker.follow(q, rate, |solver, q| solver.forces(q, rate, second_rate))`"
+        note = "as in `tracker.follow(q, rate, |solver, q| solver.forces(q, rate, acceleration))`"
     )]
     IsFollowed
 }

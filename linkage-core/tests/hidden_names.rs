@@ -39,29 +39,7 @@ mod generated {
 
     impl Crank<p::f64> {
         pub const OUTPUTS: [&'static p::str; 2] = ["B.x", "B.y"];
-        pub const COST: p::Cost = p::Cost {
-            position: p::Operations {
-                additions: 0,
-                multiplications: 3,
-                divisions: 0,
-                roots: 0,
-                sines: 1,
-            },
-            motion: p::Operations {
-                additions: 0,
-                multiplications: 0,
-                divisions: 0,
-                roots: 0,
-                sines: 0,
-            },
-            coefficients: p::Operations {
-                additions: 0,
-                multiplications: 0,
-                divisions: 0,
-                roots: 0,
-                sines: 0,
-            },
-        };
+        pub const COST: p::Cost = p::cost(&[[0, 3, 0, 0, 1], [0; 5], [0; 5]], &[]);
     }
 
     impl<T: p::Scalar> Crank<T> {

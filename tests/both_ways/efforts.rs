@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use linkage_core::private::{CarriesOver, Solver};
+use linkage_core::{CarriesOver, Solver};
 use linkage_core::{Record, Transfer};
 use linkage_tests::random::{Random, cases};
 

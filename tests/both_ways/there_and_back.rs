@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::fmt::Debug;
 
-use linkage_core::private::{CarriesOver, Solver};
+use linkage_core::{CarriesOver, Solver};
 use linkage_core::{Mechanism, Record, Transfer, TransferError};
 use linkage_tests::random::Random;
 

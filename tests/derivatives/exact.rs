@@ -162,8 +162,8 @@ where
     });
 }
 
-/// The second derivative with the rates once and the second rates once: the velocity's change
-/// along the second rates.
+/// The second derivative with the rates once and the accelerations once: the velocity's change
+/// along the accelerations.
 fn mixed<M: Differentiated, T: Real + DualNum>(at: &State<T>) -> Result<Vec<T>, SolveError> {
     let mut along = at.map(Dual::from_re);
     along.inputs.iter_mut().zip(&at.seconds).for_each(|(input, second)| input.eps = *second);

@@ -127,7 +127,7 @@ fn motion_under_the_load_asks_for_the_load() {
         assert_eq!(second, given.forward_dynamics(q, rate, 0.0, [brake, gas]).unwrap());
         assert_eq!(engine.state_rates([q, rate], gas, brake).unwrap(), [rate, second]);
         let f = engine.forces(q, rate, second, brake).unwrap();
-        // The second rate's rounding comes back over an arm of 20 mm and more, times 0.06 kg m².
+        // The acceleration's rounding comes back over an arm of 20 mm and more, times 0.06 kg m².
         let size = gas.abs() + 50.0 * (brake.abs() + 20.0) + 3.0 * second.abs();
         assert!((f.gas - gas).abs() <= 10.0 * ROUNDING * size, "{} {gas}", f.gas);
     }

@@ -4,7 +4,7 @@ use linkage_core::{Differentiable, Record, SolveError, Status, unwanted};
 use linkage_tests::mechanisms::searched_forces::*;
 use num_dual::Dual64;
 
-/// Angles between the press's dead points, rates and second rates.
+/// Angles between the press's dead points, rates and accelerations.
 fn states() -> impl Iterator<Item = [f64; 3]> {
     (0..40).map(|step| {
         let part = f64::from(step) / 39.0;

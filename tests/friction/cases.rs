@@ -61,7 +61,7 @@ fn guide_inverse() {
     close("torque", &[f.theta.drive], &[-17.729_532_922_935_056_4]);
 }
 
-/// Every joint rubs, pins of 20 mm, a block of 60 mm: torques and second rates that a matrix in forty digits and
+/// Every joint rubs, pins of 20 mm, a block of 60 mm: torques and accelerations that a matrix in forty digits and
 /// a walk over the links found alike.
 #[test]
 fn a_press_by_its_constants() {
@@ -73,8 +73,8 @@ fn a_press_by_its_constants() {
         let f = press.forces(1.0, 12.0, 0.0, -500.0).unwrap();
         close("torque", &[f.theta.drive], &[torque]);
         let found = press.forward_dynamics(1.0, 12.0, 50.0, -500.0).unwrap();
-        // The second rates are given to sixteen digits.
-        close("second rate", &[found], &[second]);
+        // The accelerations are given to sixteen digits.
+        close("acceleration", &[found], &[second]);
     }
 }
 
@@ -110,7 +110,7 @@ fn incline() {
 fn journal() {
     let f = Journal::new().forces(0.3, 100.0, 0.0).unwrap();
     close("torque", &[f.theta.drive, f.losses], &[0.235_44, 23.544]);
-    // Its second rate does not depend on its speed.
+    // Its acceleration does not depend on its speed.
     let seconds = |rate: f64| -rate / Journal::new().forward_dynamics(0.3, rate, 0.0).unwrap();
     close("comes to rest", &[seconds(100.0)], &[382.262_996_941_896_024]);
     assert_eq!(seconds(100.0), 1e3 * seconds(0.1));

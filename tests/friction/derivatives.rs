@@ -7,7 +7,7 @@
 use linkage_tests::mechanisms::friction::RubbingFourBar;
 use num_dual::{Dual2_64, Dual64};
 
-/// Coefficient and radius; angle, rate and second rate; torque, its derivatives by the angle, and by the rate.
+/// Coefficient and radius; angle, rate and acceleration; torque, its derivatives by the angle, and by the rate.
 #[rustfmt::skip]
 const TORQUES: [([f64; 2], [f64; 3], [f64; 4]); 4] = [
     ([0.1, 0.02], [0.7, 12.0, -20.0],

@@ -78,7 +78,7 @@ fn the_load_of_a_motion_is_the_load_that_made_it() {
         assert_eq!(found, given.forward_dynamics(q, rate, 0.0, [brake, gas]));
         let Ok(second) = found else { continue };
         let Ok(f) = engine.forces(q, rate, second, brake) else { continue };
-        // The second rate is rounded, and inertia of 0.08 kg m² takes that over a lever of 20 mm.
+        // The acceleration is rounded, and inertia of 0.08 kg m² takes that over a lever of 20 mm.
         let size = gas.abs() + 50.0 * (brake.abs() + 20.0) + 4.0 * second.abs();
         assert!((f.gas - gas).abs() <= 10.0 * ROUNDING * size, "{q} {mu}: {} {gas}", f.gas);
         compared += 1;

@@ -7,7 +7,7 @@ use linkage_tests::random::{Random, cases};
 
 use super::table::{CRANKS_FORWARD, FOUR_BARS_FORWARD};
 
-/// Second rates come from the mass matrix and from reactions, some fifty operations each, and from amounts that
+/// Accelerations come from the mass matrix and from reactions, some fifty operations each, and from amounts that
 /// are right within 4ε/(1 − ρ), ρ below a half.
 fn close(found: f64, expected: f64) {
     assert!((found - expected).abs() <= 1e-13 * expected.abs(), "{found} is not {expected}");
@@ -43,7 +43,7 @@ fn painleve_klein() {
     assert!(at(3.0).forces(0.0, 1.0, -1.0).is_ok());
 }
 
-/// `forces` at the second rates under a drive gives the drive back, wherever both are known.
+/// `forces` at the accelerations under a drive gives the drive back, wherever both are known.
 #[test]
 fn forces_give_the_drive_back() {
     let (mut random, mut compared) = (Random::new(17), 0);
@@ -54,7 +54,7 @@ fn forces_give_the_drive_back() {
         let press = RubbingPress { pins: mu, ways: mu, ..RubbingPress::new() };
         let Ok(second) = press.forward_dynamics(q, rate, drive, -300.0) else { continue };
         let Ok(f) = press.forces(q, rate, second, -300.0) else { continue };
-        // Rounding of the second rate comes back with the mass, and that of the amounts with the arm of 80 mm.
+        // Rounding of the acceleration comes back with the mass, and that of the amounts with the arm of 80 mm.
         let size = drive.abs() + 0.1 * f64::hypot(f.BC.B.x, f.BC.B.y) + f64::abs(second);
         assert!((f.theta.drive - drive).abs() <= 1e-11 * size, "{q} {mu}");
         compared += 1;

@@ -40,7 +40,7 @@ fn band() {
     }
 }
 
-/// The second rate that leaves the sway without a couple, and the trolley's drive.
+/// The acceleration that leaves the sway without a couple, and the trolley's drive.
 #[test]
 fn told() {
     let sway = -1.189_262_923_245_221_815;

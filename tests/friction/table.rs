@@ -101,8 +101,8 @@ pub(crate) const FOUR_BARS: [FourBar; 2] = [
     },
 ];
 
-/// Second rates under given drives: coefficient, length of the block, offset, input and its rate, drive, and
-/// the second rate.
+/// Accelerations under given drives: coefficient, length of the block, offset, input and its rate, drive, and
+/// the acceleration.
 #[rustfmt::skip]
 #[expect(clippy::unreadable_literal, reason = "a table")]
 pub(crate) const CRANKS_FORWARD: [([f64; 3], [f64; 3], f64); 3] = [

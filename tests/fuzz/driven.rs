@@ -120,7 +120,7 @@ macro_rules! told {
         if let Ok(found) = &found {
             for (nth, given) in given.into_iter().enumerate() {
                 let is_kept = match given {
-                    Given::SecondRate(rate) => rate == found.second_rates[nth],
+                    Given::Acceleration(rate) => rate == found.accelerations[nth],
                     Given::Drive(drive) => drive == found.drives[nth],
                 };
                 if !is_kept {
@@ -128,7 +128,7 @@ macro_rules! told {
                 }
             }
         }
-        let found = found.map(|found| [found.second_rates, found.drives].concat());
+        let found = found.map(|found| [found.accelerations, found.drives].concat());
         $at.answer("mixed_dynamics", found);
         let state = [$q, $rates].concat().try_into().expect("two orders");
         $at.answer("state_rates_given", $solver.state_rates_given(state, given $(, $load)?));
@@ -139,7 +139,7 @@ fn chain<T: Number>(source: &mut Source, calls: &mut Calls) {
     let (q, rates): ([T; 5], [T; 5]) = (drawn(source), drawn(source));
     let (numbers, [hand]) = (drawn::<T, 5>(source), drawn(source));
     let given = numbers.map(|number| match source.below(2) {
-        0 => Given::SecondRate(number),
+        0 => Given::Acceleration(number),
         _ => Given::Drive(number),
     });
     let solver = Chain { tip: param(source, Chain::<T>::default().tip) };

@@ -1,5 +1,5 @@
 //! Motions under forces of mechanisms with one, two and three inputs, next to singular mass matrices and
-//! through change points: second rates that are right, or a typed error.
+//! through change points: accelerations that are right, or a typed error.
 
 use core::f64::consts::PI;
 
@@ -14,18 +14,18 @@ use super::numbers::{Number, Source};
 use super::state::{Kind, State, any};
 use super::truth::{Motion, error};
 
-/// A mechanism that moves under forces; the second rates of a state stand for the drives.
+/// A mechanism that moves under forces; the accelerations of a state stand for the drives.
 trait Moved<const N: usize, const P: usize>: Motion<N, P> {
     const NAME: &'static str;
     const DEFAULTS: [f64; P];
     /// The name of the joint that the last input bends, if the mechanism is an arm.
     const ELBOWS: &'static [&'static str];
-    /// The operations of one second rate.
+    /// The operations of one acceleration.
     const OPERATIONS: f64;
 
     fn position<T: Number>(state: &State<T, N, P>) -> Result<(), SolveError>;
 
-    /// Calls everything at one state, and gives the second rates.
+    /// Calls everything at one state, and gives the accelerations.
     fn call<T: Number>(state: &State<T, N, P>, at: &mut At<'_>) -> Option<Vec<T>>;
 
     /// Sweeps over the states, with the parameters of the first.
@@ -175,7 +175,7 @@ macro_rules! moved {
                     let is_moving = state.rate.iter().all(|rate| rate.is_finite());
                     let seen = found.as_ref().filter(|_| is_moving).map(|found| &found[..]);
                     if seconds.as_deref() != seen {
-                        at.wrong("state_rates", "not the second rates", &(seconds, found));
+                        at.wrong("state_rates", "not the accelerations", &(seconds, found));
                     }
                     let equations = solver.equations_of_motion(q, rate);
                     let equations = equations.map(|e| [&e.mass.concat()[..], &e.force].concat());
@@ -220,13 +220,13 @@ moved! {
     CartArm: 3 many, 2(hand cart_mass), elbow;
 }
 
-/// The largest angle, rate and drive at which second rates are compared with the pendulum's.
+/// The largest angle, rate and drive at which accelerations are compared with the pendulum's.
 const LARGEST: f64 = 100.0;
 
 /// A parallelogram whose crank is a pendulum, followed from anywhere to anywhere.
 fn followed<T: Number>(source: &mut Source, until: u64, calls: &mut Calls) {
     let end = calls.count + until;
-    // At a distance of w = √(4e-3) (`f32`: √(9.6e-3)) from a change point the rounding of a second rate
+    // At a distance of w = √(4e-3) (`f32`: √(9.6e-3)) from a change point the rounding of an acceleration
     // is some 16 ε/w³ v², and an interpolation's as many times as its weights.
     let width: f64 = if T::HALF_UNIT < 1e-10 { 4e-3 } else { 9.6e-3 };
     let share = 8.0 * 16.0 * 2.0 * T::HALF_UNIT / width.powf(1.5);

@@ -29,7 +29,7 @@ impl<T: Number> Waves<T> {
         Self { constant: T::near(source.between(-1.0, 1.0)), waves }
     }
 
-    /// The value, the rate and the second rate.
+    /// The value, the rate and the acceleration.
     fn at(&self, x: T) -> [T; 3] {
         let start = [self.constant, T::near(0.0), T::near(0.0)];
         self.waves.iter().fold(start, |[value, rate, second], &[size, frequency, phase]| {
@@ -188,7 +188,7 @@ fn turned<T: Number>(source: &mut Source, waves: &Waves<T>, between: [T; 2], cal
 fn limited<T, M>(source: &mut Source, machine: &M, between: [T; 2], calls: &mut Calls)
 where
     T: Number,
-    M: linkage_core::private::Solver<Scalar = T, Input = T> + core::fmt::Debug,
+    M: linkage_core::Solver<Scalar = T, Input = T> + core::fmt::Debug,
 {
     let found = limits(machine, between);
     calls.count += 1;
@@ -223,7 +223,7 @@ where
                 .iter()
                 .any(|s| here > s.from.at.value() + room && here < s.to.at.value() - room)
         };
-        let solved = linkage_core::private::Solver::position(machine, x).is_ok();
+        let solved = linkage_core::Solver::position(machine, x).is_ok();
         if inside(room) && !solved {
             return at.wrong("limits", "a pose inside that cannot be assembled", &(x, stretches));
         }

@@ -4,7 +4,7 @@ use linkage_core::SolveError;
 
 use super::numbers::{Number, Source};
 
-/// Parameters, inputs, rates and second rates, and whether the modes are the declared ones.
+/// Parameters, inputs, rates and accelerations, and whether the modes are the declared ones.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct State<T, const N: usize, const P: usize> {
     pub(crate) params: [T; P],

@@ -328,7 +328,7 @@ macro_rules! agrees {
 agrees! { behind_a_crank_and_between_links: ConstantWatt TunedWatt }
 agrees! { behind_a_crank_on_the_level: ConstantStephenson TunedStephenson }
 // Accelerations of a block that comes as near to the pivot as a third of its farthest distance: b² has
-// three times the places of a sum of squares, of which the bar's second rate takes 1/b and 1/b².
+// three times the places of a sum of squares, of which the bar's acceleration takes 1/b and 1/b².
 agrees! { a_block_on_a_crank: ConstantBlock TunedBlock }
 agrees! { a_block_on_a_crank_about_the_pivot: ConstantInnerBlock TunedInnerBlock }
 

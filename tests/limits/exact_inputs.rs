@@ -149,7 +149,7 @@ fn large_angles_are_reduced_exactly() {
     let m = SliderCrank { crank, rod }.motion(theta, omega, 0.0).unwrap();
     let found = [m.position.block.slide, m.velocity.block.slide, m.acceleration.block.slide];
     let slides = Case { name: case.name, inputs: Vec::new(), truth: case.truth[..3].to_vec() };
-    // The second rate adds numbers of either sign to a third of their size.
+    // The acceleration adds numbers of either sign to a third of their size.
     for (count, allowed) in units(&slides, f64::EPSILON, &found).into_iter().zip([2.6, 3.7, 13.5]) {
         assert!(count <= allowed, "{count} ε");
     }

@@ -134,7 +134,7 @@ fn multibodys_four_bars_have_two_states() {
         most = most.max((energy(state) - start).abs());
     }
     // Four roundings of 10 m/s²: the bodies that keep parallel cancel from the equation exactly or nearly.
-    println!("second rate {off:.1e} from the closed form, energy within {most:.1e} J");
+    println!("acceleration {off:.1e} from the closed form, energy within {most:.1e} J");
     assert!(off < 4.0 * 10.0 * f64::EPSILON, "{off}");
     // It swings to the mirror image of its start and back; an error of the fourth order in steps of 1 ms.
     assert!((swing[1] + PI - 2.3).abs() < 1e-5 && swing[0] > -2.3 - 1e-8, "{swing:?}");

@@ -140,7 +140,7 @@ impl Width for f32 {
     }
 }
 
-/// A value with its first and second rate, along both axes.
+/// A value with its velocity and acceleration, along both axes.
 type Point = [[f64; 2]; 3];
 
 /// The poses of a machine with what its links are.
@@ -272,7 +272,7 @@ fn single_precision_solves_the_same_poses() {
 
 /// Where J6 is by Newton's method on all bodies, in millimetres to eleven digits, and all of the turn in steps of a
 /// tenth of a degree: from pose to pose J6 goes on by the length that its rate says, to half the square of a step times
-/// its second rate, of which a half is left for the change of that.
+/// its acceleration, of which a half is left for the change of that.
 #[test]
 fn a_turn_beside_another_assembly_is_solved_as_a_whole() {
     const RIGHT: [(f64, [f64; 2]); 8] = [

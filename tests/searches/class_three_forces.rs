@@ -10,7 +10,7 @@ use num_dual::Dual64;
 use super::class_three::{EightBar1, EightBar1Forces, EightBar2};
 
 type Vector = [f64; 2];
-/// Places with their first and second rates.
+/// Places with their velocities and accelerations.
 type Moving = HashMap<&'static str, [Vector; 3]>;
 
 /// A machine by its bodies.

@@ -3,8 +3,8 @@
 
 use std::f64::consts::PI;
 
+use linkage_core::Solver;
 use linkage_core::find::Trend;
-use linkage_core::private::Solver;
 use linkage_core::range::{Stop, Stretch, limits};
 use linkage_core::{Real, Side, SolveError, Tracker};
 use linkage_tests::mechanisms::followed::*;

@@ -67,7 +67,7 @@ impl<T: Copy> State<T> {
     }
 }
 
-/// A state with rates up to 2 and second rates up to 4; every number is one that `f32` holds.
+/// A state with rates up to 2 and accelerations up to 4; every number is one that `f32` holds.
 pub fn any_state<M: Differentiated>(random: &mut Random, is_flipped: bool) -> State<f64> {
     let (inputs, params) = M::RANGES.split_at(M::INPUTS);
     let mut draw = |ranges: &[Range]| -> Vec<f64> {

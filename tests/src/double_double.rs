@@ -6,6 +6,7 @@
 //! half of its 31 at the worst, which leaves as many as are needed.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
+use linkage_core::private::Sealed;
 use linkage_core::{LibraryFunction, Scalar};
 
 /// High + low, with |low| at most half a unit in the last place of high. `NARROW` is the truth
@@ -163,6 +164,8 @@ impl<const NARROW: bool> Div for DoubleDouble<NARROW> {
     }
 }
 
+impl<const NARROW: bool> Sealed for DoubleDouble<NARROW> {}
+
 impl<const NARROW: bool> Scalar for DoubleDouble<NARROW> {
     type Mask = bool;
 
@@ -231,6 +234,7 @@ impl<const NARROW: bool> Scalar for DoubleDouble<NARROW> {
                 let below = (self + self).exponential_less_one();
                 below / (below + Self::new(2.0))
             }
+            other => panic!("no double words of {other:?}"),
         }
     }
     fn pow(self, exponent: Self) -> Self {

@@ -18,7 +18,7 @@ fn parallel(q: f64) -> Side {
     if q.rem_euclid(TAU) < PI { Side::Left } else { Side::Right }
 }
 
-/// The largest error of second rates, drives and energies, each as a share of v².
+/// The largest error of accelerations, drives and energies, each as a share of v².
 fn worst<T: Float>() -> [f64; 3] {
     let mut random = Random::new(7);
     let mut worst = [0.0_f64; 3];
@@ -40,7 +40,7 @@ fn worst<T: Float>() -> [f64; 3] {
         let a = a.expect("it goes on");
         let f = tracker.follow(q, v, |solver, q| solver.forces(q, v, a)).expect("it goes on");
         let e = tracker.follow(q, v, |solver, q| solver.energy(q, v)).expect("it goes on");
-        // State rates are those second rates behind the rates themselves.
+        // State rates are those accelerations behind the rates themselves.
         let rates = tracker.follow(q, v, |solver, q| solver.state_rates([q, v], at(drive)));
         let [first, second] = rates.expect("it goes on");
         assert_eq!(first.value(), 8.0);
@@ -57,9 +57,9 @@ fn worst<T: Float>() -> [f64; 3] {
     worst
 }
 
-/// At the edge of what is interpolated, w = √(2 near), the rounding of a second rate is some 16 ε/w³ v²,
+/// At the edge of what is interpolated, w = √(2 near), the rounding of an acceleration is some 16 ε/w³ v²,
 /// and what sixteen (`f32`: the same) nodes make of theirs is up to eight times as much, for those at the
-/// edge have weights up to that. Energies have no third power, but one less; drives are second rates by a
+/// edge have weights up to that. Energies have no third power, but one less; drives are accelerations by a
 /// mass of 8/3. Of 300 motions in each width, which `.ci/nightly` follows whole, an ordinary run has a twentieth.
 #[test]
 fn second_rates_over_change_points_are_the_pendulums() {

@@ -5,7 +5,7 @@
 //! the value under the root of the height is read from the generated code, which other tests hold to
 //! dual numbers.
 
-use linkage_core::private::Solver;
+use linkage_core::Solver;
 use linkage_core::{Direction, Float, Real, Record, Side, Tracker, mechanism};
 use linkage_tests::mechanisms::scaled_change_points::{ScaledPairs, ScaledPairsMotion, TwoGrounds};
 use linkage_tests::random::cases;

@@ -61,7 +61,7 @@ mechanism! {
 /// Two numbers: x and y of the tool, or one of each motor.
 pub type Pair<T> = [T; 2];
 
-/// A motion at one moment: where, its rate and its second rate.
+/// A motion at one moment: where, its rate and its acceleration.
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted<T> {
     /// In m or rad.

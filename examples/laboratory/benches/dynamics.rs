@@ -64,7 +64,7 @@ fn main() {
     compare("latency", waiting);
 }
 
-/// The sweeps, all of what a motion has, and the second rates alone.
+/// The sweeps, all of what a motion has, and the accelerations alone.
 fn sweeps(bars: FourBar, angles: &[f64], [rate, second, drive]: [f64; 3]) -> [Run; 2] {
     let (given, own) = (angles.to_vec(), angles.to_vec());
     let motion = swept(ANGLES, move |out, _| {

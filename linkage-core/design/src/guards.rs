@@ -1,8 +1,8 @@
 //! Conditions over a whole range of the input: kept at samples, then confirmed between them.
 
 use linkage_core::SolveError;
+use linkage_core::Solver;
 use linkage_core::num_dual::Derivative;
-use linkage_core::private::Solver;
 use linkage_core::range::{Stretches, extrema, limits};
 
 use crate::design::Design;

@@ -250,7 +250,7 @@ fn moving_and_standing_numbers_meet_as_dual_numbers_do() {
             true => Dual2::new(re[at], v1[at], v2[at]),
             false => Dual2::from_re(re[at]),
         });
-        // A second rate comes of composing: x² has 2 ẋ² + 2 x ẍ.
+        // An acceleration comes of composing: x² has 2 ẋ² + 2 x ẍ.
         let jet = [0, 1, 2].map(|at| match moves(at) {
             true => Jet::along(0.0, 1.0).compose([re[at], v1[at], v2[at], 0.0]),
             false => Jet::standing(re[at]),

@@ -59,7 +59,7 @@ fn follow<S: Solver, const IN: usize, const ORDER: usize, P: FnOnce(&[S::Scalar]
     put.map_or(Ok(()), single)
 }
 
-/// Values, rates or second rates of the inputs, of as many `ORDERS` as are given.
+/// Values, rates or accelerations of the inputs, of as many `ORDERS` as are given.
 fn nth<S: Solver, const IN: usize, const ORDERS: usize>(
     given: &[S::Scalar; IN],
     order: usize,

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::verdict::{Asked, TOGETHER, Usable};
-use crate::scalar::{elementary, root_of_squares};
+use crate::scalar::{Sealed, elementary, root_of_squares};
 use crate::{Float, Fusion, Lanes, LibraryFunction, Scalar};
 
 /// A number of some poses, and their sines and cosines if it was read from a sweep's first input. Lanes
@@ -97,6 +97,8 @@ macro_rules! functions_of_the_lanes {
         of_the_lanes!($($one)*; $($two)*;);
     };
 }
+
+impl<T: Float, F: Fusion, A: Asked> Sealed for Poses<T, F, A> {}
 
 impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
     type Mask = A::Mask;

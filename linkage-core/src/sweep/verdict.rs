@@ -9,6 +9,7 @@
 use core::fmt::Debug;
 use core::ops::BitAnd;
 
+use crate::scalar::Sealed;
 use crate::{LaneMask, Mask};
 
 /// The number of poses that are computed beside each other, before the compiler takes several such sets at
@@ -114,6 +115,8 @@ impl BitAnd for Verdict {
         }
     }
 }
+
+impl Sealed for Verdict {}
 
 impl Mask for Verdict {
     const ALL: Self = Self {

@@ -45,7 +45,7 @@
 //! | `syntax` | digits, unit, span | a name | a name | a number like another |
 //! | `model` | `Expr::Constant`, 79/125 m, not zero or less | `Expr::Input`, an angle | `Mode::Param` | a message at its token; what follows is a stub |
 //! | `interface` | | an argument of every entry point, a column | | the same signatures |
-//! | `equations` | a jet whose rates are zeros that leave no trace | a jet: value, rate, second rate | the sign of √S in `rrr.rs` | |
+//! | `equations` | a jet whose rates are zeros that leave no trace | a jet: value, rate, acceleration | the sign of √S in `rrr.rs` | |
 //! | `ir` | an interned constant | a leaf an order | a leaf, ±1 | one zero for all results |
 //! | `passes` | (l₂ − l₃)² is one constant | its sine and cosine stay | nothing to do | |
 //! | `lower` | positive for sure: no check | asked for its size where that proves more than results do | never asked | |

@@ -132,7 +132,7 @@ fn states<const N: usize>(ranges: &Ranges<N>) -> Vec<State<N>> {
     (0..50).map(|_| State { q: drawn(0), dq: drawn(1), drive: drawn(2) }).collect()
 }
 
-/// The size of an input's drive by its terms: what each second rate takes, what acts at rest, what the
+/// The size of an input's drive by its terms: what each acceleration takes, what acts at rest, what the
 /// rates add, and the drive itself.
 fn sizes<M: Moving<f64, N>, const N: usize>(machine: &M, at: &State<N>) -> [f64; N] {
     let ddq = machine.accelerations(at.q, at.dq, at.drive);

@@ -1,4 +1,4 @@
-//! Natural frequencies from the exact derivatives of the second rates.
+//! Natural frequencies from the exact derivatives of the accelerations.
 
 use linkage_core::differentiate;
 use linkage_core::num_dual::DualSVec;

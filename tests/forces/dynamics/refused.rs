@@ -1,4 +1,4 @@
-//! Where there are no second rates: dead points, inputs that move nothing, numbers that are none.
+//! Where there are no accelerations: dead points, inputs that move nothing, numbers that are none.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -126,7 +126,7 @@ fn the_squeezer_accelerates_as_published() {
     assert!((found - expected).abs() < 2e-11 * expected.abs(), "{found} {expected}");
 }
 
-/// A rate that is not finite is refused even where no second rate depends on it: the answer holds the rates.
+/// A rate that is not finite is refused even where no acceleration depends on it: the answer holds the rates.
 #[test]
 fn state_rates_of_rates_that_are_no_numbers_are_refused() {
     let arm = GearedArm::new();

@@ -94,7 +94,7 @@ fn derivatives_are_refused_the_same() {
     for (b, input) in STRAIGHT.into_iter().zip(["b", "a", "b"]) {
         assert_eq!(of_dual(b).unwrap_err(), singular(input));
     }
-    // τ stays, M⁻¹ goes as 1/sin² b: the slope of the largest second rate is −2 cot b of it.
+    // τ stays, M⁻¹ goes as 1/sin² b: the slope of the largest acceleration is −2 cot b of it.
     for b in [1e-3, 0.01] {
         let slope = of_dual(b).unwrap()[(1, 1)];
         let second = ElbowArm::new().forward_dynamics([0.7, b], [0.0; 2], [1.0, 2.0]).unwrap()[1];
@@ -105,7 +105,7 @@ fn derivatives_are_refused_the_same() {
 }
 
 /// The arm without matrices. With F at the mass and n₁, n₂ across both bars, l n₁·F = τ₁ − τ₂ and
-/// l n₂·F = τ₂; u₁ and u₂ are sums of the two over sin b, and so are the second rates.
+/// l n₂·F = τ₂; u₁ and u₂ are sums of the two over sin b, and so are the accelerations.
 fn by_hand([b, mass, length]: [f64; 3], [first, second]: [f64; 2], [t1, t2]: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = b.sin_cos();
     let (across_first, across_second) = ((t1 - t2) / length, t2 / length);
@@ -121,7 +121,7 @@ fn by_hand([b, mass, length]: [f64; 3], [first, second]: [f64; 2], [t1, t2]: [f6
 /// M has an error of 50 u = 25 ε, by `equations::forces::dynamics` of the compiler, and the force one of as
 /// many of its own size. M⁻¹ enlarges both by at most M's greatest over its least eigenvalue: with m l² = 1
 /// the sum of both is 5 and their product sin² b, so that is 25/b² for a small b. In all 1250 ε/b² of the
-/// largest second rate at the very most; some 10 ε/b² are found, as roundings are not all of one sign.
+/// largest acceleration at the very most; some 10 ε/b² are found, as roundings are not all of one sign.
 fn next_to_straight<T: Real>() {
     let bends = if T::EPSILON < 1e-10 { [1e-6, 1e-3, 0.01] } else { [0.01, 0.02, 0.1] };
     let arm = ElbowArm::<T>::default();

@@ -59,7 +59,7 @@ fn several_inputs_and_a_list_of_drives() {
         same(lifting[pose], single[0]);
         same(tilting[pose], single[1]);
     }
-    // The sweep writes the second rate of the last of three inputs only.
+    // The sweep writes the acceleration of the last of three inputs only.
     let arm = GearedArm::new();
     let (motor, mut last) = (along(0.0, 0.3), [0.0; POSES]);
     let inputs = GearedArmInput {

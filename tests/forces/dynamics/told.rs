@@ -1,4 +1,4 @@
-//! Motions of which some second rates are told: closed forms, the inverse dynamics of what was found, and derivatives.
+//! Motions of which some accelerations are told: closed forms, the inverse dynamics of what was found, and derivatives.
 
 use linkage_core::num_dual::DualSVec;
 use linkage_core::{Given, Mixed, SolveError, differentiate};
@@ -11,22 +11,22 @@ use linkage_tests::random::Random;
 fn a_trolley_that_is_told_sways_its_load() {
     let trolley = Trolley::new();
     let (phi, rate, told) = (0.3_f64, -0.4, 0.7);
-    let given = [Given::SecondRate(told), Given::Drive(0.0)];
+    let given = [Given::Acceleration(told), Given::Drive(0.0)];
     let found = trolley.mixed_dynamics([2.0, phi], [1.5, rate], given).unwrap();
     // Some ten roundings, and of the drive those of masses of 280 kg beside it.
     let close = |found: f64, expected: f64, size: f64| {
         assert!((found - expected).abs() <= 10.0 * f64::EPSILON * size, "{found} {expected}");
     };
-    close(found.second_rates[1], -1.189_262_923_245_221_8, 4.0);
-    close(found.second_rates[1], -(9.81 * phi.sin() + told * phi.cos()) / 3.0, 4.0);
+    close(found.accelerations[1], -1.189_262_923_245_221_8, 4.0);
+    close(found.accelerations[1], -(9.81 * phi.sin() + told * phi.cos()) / 3.0, 4.0);
     close(found.drives[0], -88.023_079_713_478_31, 280.0);
-    assert_eq!((found.second_rates[0], found.drives[1]), (told, 0.0));
+    assert_eq!((found.accelerations[0], found.drives[1]), (told, 0.0));
     let state = [2.0, phi, 1.5, rate];
     let rates = trolley.state_rates_given(state, given).unwrap();
-    assert_eq!(rates, [1.5, rate, told, found.second_rates[1]]);
+    assert_eq!(rates, [1.5, rate, told, found.accelerations[1]]);
 }
 
-/// A pivot's condition of the chain: second rates may have an error of so many ε of the largest drive over an inertia.
+/// A pivot's condition of the chain: accelerations may have an error of so many ε of the largest drive over an inertia.
 const ROUNDING: f64 = 2e4 * f64::EPSILON;
 
 /// Every mask: what was given stays, and the drives are those that the motion asks for.
@@ -43,15 +43,15 @@ fn check<const N: usize>(
         let (q, rates, told, drives) =
             (draw(ranges[0]), draw(ranges[1]), draw(9.0), draw(ranges[2]));
         let given: [Given; N] = core::array::from_fn(|input| match mask >> input & 1 {
-            1 => Given::SecondRate(told[input]),
+            1 => Given::Acceleration(told[input]),
             _ => Given::Drive(drives[input]),
         });
-        let Mixed { second_rates, drives: found } = solve(q, rates, given).unwrap();
-        let asked = forces(q, rates, second_rates);
-        let size = found.iter().chain(&second_rates).fold(50.0_f64, |size, x| size.max(x.abs()));
+        let Mixed { accelerations, drives: found } = solve(q, rates, given).unwrap();
+        let asked = forces(q, rates, accelerations);
+        let size = found.iter().chain(&accelerations).fold(50.0_f64, |size, x| size.max(x.abs()));
         for input in 0..N {
             match given[input] {
-                Given::SecondRate(rate) => assert_eq!(second_rates[input], rate),
+                Given::Acceleration(rate) => assert_eq!(accelerations[input], rate),
                 Given::Drive(drive) => assert_eq!(found[input], drive),
             }
             let apart = (asked[input] - found[input]).abs();
@@ -60,7 +60,7 @@ fn check<const N: usize>(
         if mask == 0 {
             let expected = forward(q, rates, drives);
             let largest = expected.iter().fold(1.0_f64, |largest, x| largest.max(x.abs()));
-            for (found, expected) in second_rates.into_iter().zip(expected) {
+            for (found, expected) in accelerations.into_iter().zip(expected) {
                 assert!((found - expected).abs() <= ROUNDING * largest, "{found} {expected}");
             }
             compared += 1;
@@ -116,20 +116,20 @@ fn single_precision_and_duals_of_a_told_motion() {
     let (wide, narrow) = (Chain::new(), Chain::<f32>::default());
     let (q, rates) = ([0.3, -0.6, 0.9, 0.4, -1.1], [0.5, -1.0, 2.0, 0.25, 1.0]);
     let told = |input: usize, x: f64| {
-        if input.is_multiple_of(2) { Given::SecondRate(x) } else { Given::Drive(x) }
+        if input.is_multiple_of(2) { Given::Acceleration(x) } else { Given::Drive(x) }
     };
     let numbers = [1.0, 3.0, -2.0, 0.5, 4.0];
     let given: [Given; 5] = core::array::from_fn(|input| told(input, numbers[input]));
     let found = wide.mixed_dynamics(q, rates, given, 12.0).unwrap();
     let as_single = |x: f64| x as f32;
     let given_single = given.map(|given| match given {
-        Given::SecondRate(x) => Given::SecondRate(as_single(x)),
+        Given::Acceleration(x) => Given::Acceleration(as_single(x)),
         Given::Drive(x) => Given::Drive(as_single(x)),
     });
     let single =
         narrow.mixed_dynamics(q.map(as_single), rates.map(as_single), given_single, 12.0).unwrap();
-    let both = found.second_rates.into_iter().chain(found.drives);
-    for (expected, found) in both.zip(single.second_rates.into_iter().chain(single.drives)) {
+    let both = found.accelerations.into_iter().chain(found.drives);
+    for (expected, found) in both.zip(single.accelerations.into_iter().chain(single.drives)) {
         // Angles of single precision are some 1e-7 off, in masses whose pivots are a tenth of themselves.
         assert!((f64::from(found) - expected).abs() < 1e-3 * expected.abs().max(10.0));
     }
@@ -139,16 +139,16 @@ fn single_precision_and_duals_of_a_told_motion() {
         let (mut at, rates) = (q.map(dual), rates.map(dual));
         at[1] = b;
         let given = given.map(|given| match given {
-            Given::SecondRate(x) => Given::SecondRate(dual(x)),
+            Given::Acceleration(x) => Given::Acceleration(dual(x)),
             Given::Drive(x) => Given::Drive(dual(x)),
         });
         let found = Chain::default().mixed_dynamics(at, rates, given, dual(12.0))?;
-        Ok([found.second_rates[1], found.drives[0]])
+        Ok([found.accelerations[1], found.drives[0]])
     });
     let slopes = slopes.unwrap();
     let at = |b: f64| {
         let found = wide.mixed_dynamics([q[0], b, q[2], q[3], q[4]], rates, given, 12.0).unwrap();
-        [found.second_rates[1], found.drives[0]]
+        [found.accelerations[1], found.drives[0]]
     };
     let (more, less) = (at(q[1] + 1e-5), at(q[1] - 1e-5));
     for row in 0..2 {
@@ -167,12 +167,12 @@ fn a_told_motion_is_refused_by_the_name_of_an_input() {
         chain.mixed_dynamics(still, still, given, 0.0)
     };
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for given in [Given::SecondRate(bad), Given::Drive(bad)] {
+        for given in [Given::Acceleration(bad), Given::Drive(bad)] {
             let found = with(2, given);
             assert!(matches!(found, Err(SolveError::NotFinite { .. })), "{found:?}");
         }
         let state = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, bad, 0.0, 0.0, 0.0];
-        let found = chain.state_rates_given(state, [Given::SecondRate(0.0); 5], 0.0);
+        let found = chain.state_rates_given(state, [Given::Acceleration(0.0); 5], 0.0);
         assert!(matches!(found, Err(SolveError::NotFinite { .. })), "{found:?}");
     }
     // Stretched, one of the two bars has to be told.
@@ -184,7 +184,7 @@ fn a_told_motion_is_refused_by_the_name_of_an_input() {
         arm.forward_dynamics([0.0; 2], [0.0; 2], [1.0; 2]).map(|_| ()),
         singular.map(|_| ())
     );
-    let told = [Given::Drive(1.0), Given::SecondRate(2.0)];
+    let told = [Given::Drive(1.0), Given::Acceleration(2.0)];
     assert!(arm.mixed_dynamics([0.0; 2], [0.0; 2], told).is_ok());
     assert!(arm.mixed_dynamics([0.0, 1.0], [0.0; 2], free).is_ok());
 }

@@ -32,7 +32,7 @@ pub struct Table {
 
 impl Table {
     /// The table of this name in the text of a file: a line `outputs …`, and for every pose a line
-    /// `pose inputs | rates | second rates` and for every output a line
+    /// `pose inputs | rates | accelerations` and for every output a line
     /// `position | velocity | acceleration`, each a high part, a low part and a condition.
     pub fn read(text: &'static str, name: &str) -> Self {
         let mut lines = lines_of(text, name);

@@ -1,6 +1,6 @@
 //! A trolley with a hanging load. The trolley's acceleration is given, and the sway is passive: no drive
 //! acts on it. Both follow from one equation of motion, M q̈ = force + drive, of which the trolley's row
-//! gives the drive and the sway's row the second rate.
+//! gives the drive and the sway's row the acceleration.
 //!
 //! A crane that accelerates for exactly one period of its swinging load leaves no sway: under constant
 //! acceleration the load swings about a slanted line, and after a period hangs still as at the start. The
@@ -39,7 +39,7 @@ const REST: f64 = 10.0;
 /// x, sway, and their rates.
 type State = [f64; 4];
 
-/// The sway's second rate and the trolley's drive in N, where the trolley accelerates as given.
+/// The sway's acceleration and the trolley's drive in N, where the trolley accelerates as given.
 fn passive([x, sway, v, rate]: State, acceleration: f64) -> Result<[f64; 2], SolveError> {
     let e = Crane::new().equations_of_motion([x, sway], [v, rate])?;
     let second = (e.force[1] - e.mass[1][0] * acceleration) / e.mass[1][1];

@@ -3,7 +3,7 @@
 use super::{Vector, fused};
 use crate::number::Number;
 
-/// The bar's direction, the block's slide, the yoke's and its pin's; their rates; their second rates,
+/// The bar's direction, the block's slide, the yoke's and its pin's; their rates; their accelerations,
 /// at a crank's angle and its rates.
 #[inline(always)]
 #[must_use]

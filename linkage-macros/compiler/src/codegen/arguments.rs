@@ -39,7 +39,7 @@ pub(super) fn clear_of(names: &[Ident], mut name: Ident) -> Ident {
 pub(super) struct Signatures<'a> {
     pub mechanism: &'a Mechanism,
     pub interface: &'a Interface,
-    /// The arguments for the value, the rate and the second rate of an input that is the only one.
+    /// The arguments for the value, the rate and the acceleration of an input that is the only one.
     only_input: Vec<Ident>,
 }
 
@@ -87,7 +87,7 @@ impl<'a> Signatures<'a> {
     }
 }
 
-/// One input: an argument for its value, rate and second rate; several: a record for each.
+/// One input: an argument for its value, rate and acceleration; several: a record for each.
 pub(super) struct Arguments<'a> {
     pub of: &'a Signatures<'a>,
     pub given: &'a [ArgumentKind],

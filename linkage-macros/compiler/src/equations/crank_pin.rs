@@ -53,7 +53,7 @@ impl<'s> CrankPin<'s> {
         sum - along.twice()
     }
 
-    /// Half of the rate and of the second rate of d²: ω G × a, and α G × a + ω² G·a.
+    /// Half of the rate and of the acceleration of d²: ω G × a, and α G × a + ω² G·a.
     pub(super) fn half_rates(self) -> [Sym<'s>; 2] {
         let (omega, alpha) = (self.swing.omega, self.swing.alpha);
         [omega * self.across, alpha * self.across + omega.squared() * self.along]

@@ -1,4 +1,4 @@
-//! A number with its first and second rate.
+//! A number with its velocity and acceleration.
 //!
 //! Every dimension of a mechanism is a jet; the rates of a constant are the constant zero and
 //! leave no trace. The rules below are the chain rule to second order, each written so that the
@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::equations::symbol::{GraphBuilder, Sym};
 
-/// Value, rate and second rate.
+/// Value, rate and acceleration.
 #[derive(Clone, Copy)]
 pub(crate) struct Jet<'s> {
     pub value: Sym<'s>,
@@ -43,7 +43,7 @@ impl<'s> Jet<'s> {
         self.times(self.value.builder().integer(2))
     }
 
-    /// 1/d of a distance d, from half of the rate and of the second rate of d², e and f: −e/d³ and
+    /// 1/d of a distance d, from half of the rate and of the acceleration of d², e and f: −e/d³ and
     /// (3 e²/d² − f)/d³, by one division.
     pub(crate) fn inverse_distance(distance: Sym<'s>, [e, f]: [Sym<'s>; 2]) -> Self {
         let value = distance.recip();

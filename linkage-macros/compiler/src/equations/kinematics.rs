@@ -24,7 +24,7 @@ pub(super) struct InputMotion<'s> {
 }
 
 impl<'s> InputMotion<'s> {
-    /// Inputs whose value, rate and second rate are given.
+    /// Inputs whose value, rate and acceleration are given.
     pub(super) fn free(mechanism: &Mechanism, builder: &'s GraphBuilder<'s>) -> Vec<Self> {
         (0..mechanism.inputs.len() as u32)
             .map(|input| {
@@ -47,7 +47,7 @@ impl<'s> InputMotion<'s> {
         Self { jet: Jet { rate, accel, ..self.jet }, ..self }
     }
 
-    /// One input at a unit rate, the others at rest, none with a second rate.
+    /// One input at a unit rate, the others at rest, none with an acceleration.
     pub(super) fn one_moving(
         inputs: &[Self],
         builder: &'s GraphBuilder<'s>,
@@ -58,7 +58,7 @@ impl<'s> InputMotion<'s> {
         inputs.map(|(index, source)| source.with_rates(rate(index), builder.zero())).collect()
     }
 
-    /// One input at a unit second rate, all at rest.
+    /// One input at a unit acceleration, all at rest.
     pub(super) fn one_starting(
         inputs: &[Self],
         builder: &'s GraphBuilder<'s>,
@@ -75,7 +75,7 @@ impl<'s> InputMotion<'s> {
         inputs.iter().map(|source| source.with_rates(zero, zero)).collect()
     }
 
-    /// The inputs as they move, without second rates.
+    /// The inputs as they move, without accelerations.
     pub(super) fn without_second_rates(
         inputs: &[Self],
         builder: &'s GraphBuilder<'s>,

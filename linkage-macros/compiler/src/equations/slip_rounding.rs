@@ -2,7 +2,7 @@
 //!
 //! # Derivation
 //! To first order. A number's bound is counted in units of u = 8 ε. Every file of a group states its errors against what
-//! half a unit in the last place of every datum changes: on ten million random poses rates and second rates
+//! half a unit in the last place of every datum changes: on ten million random poses rates and accelerations
 //! are within 15.1 such halves, 7.6 ε. So a group adds u of the size of each of its terms, and passes on the bounds of what
 //! it stands on. Where more halves were climbed to, data matter little because their effects cancel; here
 //! sizes are added.
@@ -18,7 +18,7 @@
 //!
 //! The links of a dyad close a loop, J x = v, whose unknown x are turnings and slides. What the terms of the
 //! loop, added up, fail to close by is f; J (x + δ) = v + f leaves |δ| at most |J⁻¹| f, so that each unknown has its gain:
-//! a row of |J⁻¹|, which the dyad's file states. Place, rate and second rate have one J.
+//! a row of |J⁻¹|, which the dyad's file states. Place, rate and acceleration have one J.
 //!
 //! Inputs and dimensions are given. A multiple of an input is right to its own last place; the rate of any other expression
 //! counts by its size, as if what it reads were exact.
@@ -42,7 +42,7 @@ use crate::model::mechanism::{
     Slideway, Step, Through,
 };
 
-/// Bounds of a number, of its rate and of its second rate.
+/// Bounds of a number, of its rate and of its acceleration.
 type ErrorBounds<'s> = [Sym<'s>; 3];
 
 /// Bounds of an angle, of ω and of α, and the sizes of ω and α.

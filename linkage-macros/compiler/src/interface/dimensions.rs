@@ -90,7 +90,7 @@ fn efforts(mechanism: &Mechanism, effort: Effort) -> Vec<(Dimension, Order)> {
     }
 }
 
-/// The dimension whose product with the second rate of the column is an effort along the row.
+/// The dimension whose product with the acceleration of the column is an effort along the row.
 fn of_inertia(row: Dimension, column: Dimension) -> Dimension {
     effort_along(row).times(column, -1).times(Dimension::TIME, 2)
 }

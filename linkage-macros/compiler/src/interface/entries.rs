@@ -56,7 +56,7 @@ pub(super) enum Returns {
     Matrix,
     /// A number for every input, and its name in errors.
     OfInputs(&'static str),
-    /// The drives of the only input that creep backwards and forwards, where something rubs.
+    /// The drives of the only input at impending motion backwards and forwards, where something rubs.
     Band,
 }
 
@@ -302,7 +302,7 @@ const HOLDING: EntryRow = EntryRow {
     analysis: Analysis::Holding,
     name: "holding",
     name_at: None,
-    subject: "Drives that creep backwards and forwards; between them friction holds the mechanism",
+    subject: "Drives at impending motion backwards and forwards; between them friction holds the mechanism",
     creeps: false,
     returns: Returns::Band,
     sweeps: false,
@@ -324,7 +324,7 @@ const FORWARD_DYNAMICS: EntryRow = EntryRow {
     analysis: Analysis::ForwardDynamics,
     name: "forward_dynamics",
     name_at: None,
-    subject: "Second rates of the inputs under given drives",
+    subject: "Accelerations of the inputs under given drives",
     topic: Topic::Dynamics,
     given: &[ArgumentKind::Rate, ArgumentKind::Drives, ArgumentKind::Loads],
     returns: Returns::OfInputs("acceleration"),
@@ -333,7 +333,7 @@ const FORWARD_DYNAMICS: EntryRow = EntryRow {
          the group is: choose the crank that turns fully as input.",
         " `Singular` names an input that moves no mass in this pose, or moves it as earlier inputs do as \
          far as rounding can tell. Next to such a pose digits are lost: of two equal bars \
-         that enclose a small angle b, an error of some 10 ε/b² of the largest second rate is left. \
+         that enclose a small angle b, an error of some 10 ε/b² of the largest acceleration is left. \
          At a dead point of the inputs the group is named: choose the cranks that turn fully as \
          inputs.",
     ],
@@ -343,7 +343,7 @@ const FORWARD_DYNAMICS: EntryRow = EntryRow {
 const EQUATIONS_OF_MOTION: EntryRow = EntryRow {
     analysis: Analysis::EquationsOfMotion,
     name: "equations_of_motion",
-    subject: "Equations of motion, mass times second rates = force + drives",
+    subject: "Equations of motion, mass times accelerations = force + drives",
     given: &[ArgumentKind::Rate, ArgumentKind::Loads],
     returns: Returns::Record(RecordKind::Equations),
     has_cost: false,

@@ -165,7 +165,7 @@ const SLIDING_DIRECTION: [Layout; 3] = [
         record: Some("SlidingAcceleration"),
         parts: &[part("alpha", "alpha"), part("slide", "slide_acceleration")],
         rows: &["angle", "slide"],
-        words: "angular acceleration in rad/s², counter-clockwise; second rate of its slide in m/s²",
+        words: "angular acceleration in rad/s², counter-clockwise; acceleration of its slide in m/s²",
     },
 ];
 
@@ -186,7 +186,7 @@ const SLIDE: [Layout; 3] = [
         record: Some("Slide"),
         parts: &[part("slide", "slide_acceleration")],
         rows: &["slide"],
-        words: "second rate of its slide in m/s²",
+        words: "acceleration of its slide in m/s²",
     },
 ];
 
@@ -197,7 +197,7 @@ const VALUE: [Layout; 3] = [
         record: None,
         parts: &[part("", "acceleration")],
         rows: &[""],
-        words: ", its second rate",
+        words: ", its acceleration",
     },
 ];
 

@@ -48,7 +48,7 @@ pub(crate) struct Record {
 /// The purpose of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RecordKind {
-    /// Several inputs, or their first or second rates.
+    /// Several inputs, or their velocities or accelerations.
     Inputs,
     /// Every output at one order.
     Outputs(Order),
@@ -77,7 +77,7 @@ impl RecordKind {
     pub(crate) fn in_words(self, mechanism: &Mechanism) -> KindInWords {
         let owned;
         let [in_rust, in_c] = match self {
-            Self::Inputs => ["The inputs of @, or their first or second rates."; 2],
+            Self::Inputs => ["The inputs of @, or their velocities or accelerations."; 2],
             Self::Outputs(Order::Position) => [
                 "Positions of the outputs of @, in metres and radians.",
                 "Positions of the outputs.",
@@ -112,9 +112,9 @@ impl RecordKind {
             }
             Self::Energy => ["The energy of @.", "Kinetic and potential energy."],
             Self::Equations => [
-                "The equations of motion of @: Σ `mass[row][column]` times the second rate of input \
+                "The equations of motion of @: Σ `mass[row][column]` times the acceleration of input \
                  `column` = `force[row]` + drive of input `row`.",
-                "The equations of motion: mass times second rates = force + drives.",
+                "The equations of motion: mass times accelerations = force + drives.",
             ],
         };
         KindInWords { in_rust: in_rust.to_string(), in_c: in_c.to_string() }

@@ -45,7 +45,7 @@ pub(crate) trait Number: Clone {
 
 /// Values given to the program.
 pub(crate) struct ProgramValues<N> {
-    /// Value, rate and second rate of each input.
+    /// Value, rate and acceleration of each input.
     pub inputs: Vec<[N; 3]>,
     pub params: Vec<N>,
     pub loads: Vec<N>,

@@ -38,7 +38,7 @@ pub(crate) enum Path {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Node {
     Constant(ConstantId),
-    /// An input (`order` 0), its rate (1) or its second rate (2).
+    /// An input (`order` 0), its rate (1) or its acceleration (2).
     Input {
         input: u32,
         order: u8,

@@ -99,7 +99,7 @@ pub(crate) struct Clearance {
     pub value: Id,
     /// Scale that the value is measured by.
     pub scale: Id,
-    /// Rate and second rate of the value, at constant rates of the inputs: only beside an unknown, whose
+    /// Rate and acceleration of the value, at constant rates of the inputs: only beside an unknown, whose
     /// ends are no function of the pose. Elsewhere the formulas of the value say enough.
     pub rates: Option<[Id; 2]>,
 }

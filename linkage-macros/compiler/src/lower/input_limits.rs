@@ -44,7 +44,7 @@ fn sum(values: &[usize]) -> Option<Sum> {
 }
 
 /// One comparison for an angle and its rates: (θ² + θ̇²)² + θ̈² up to the fourth power of a limit keeps angle
-/// and rate within the limit and the second rate within its square. In double precision it lies at 170 000
+/// and rate within the limit and the acceleration within its square. In double precision it lies at 170 000
 /// turns and as many a second.
 fn on_circle(inputs: &[(Node, [f64; 2])]) -> Bound {
     let of_order = |wanted: u8| {
@@ -63,7 +63,7 @@ fn on_circle(inputs: &[(Node, [f64; 2])]) -> Bound {
     Bound::OnCircle { rate, second, limit: least.map(|limit| limit.powi(power)) }
 }
 
-/// |value| ≤ limit for each of the inputs; a rate together with its second rate, whose limit is the
+/// |value| ≤ limit for each of the inputs; a rate together with its acceleration, whose limit is the
 /// square of the rate's.
 fn within(inputs: &[(Node, [f64; 2])]) -> Vec<Bound> {
     let is_asked = |node| inputs.iter().any(|&(other, _)| other == node);

@@ -38,7 +38,7 @@ struct WidthLimits {
     thresholds: Thresholds,
     /// The least lengths of hypotenuses.
     lengths: Map<Id, f64>,
-    /// On inputs and rates; on second rates its square.
+    /// On inputs and rates; on accelerations its square.
     input: f64,
 }
 

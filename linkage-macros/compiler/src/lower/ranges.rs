@@ -21,7 +21,7 @@ use crate::ir::liveness::{live_nodes, unguarded};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Assumed {
     /// The largest magnitude of an input that is not an angle in a sine, and of its rate; of its
-    /// second rate the square of it.
+    /// acceleration the square of it.
     pub input: f64,
     /// The least magnitude of a divisor that a guard keeps from zero, as a share of its largest.
     pub share: f64,

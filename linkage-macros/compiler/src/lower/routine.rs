@@ -214,7 +214,7 @@ pub(crate) enum Bound {
     Within { value: Node, limit: [f64; 2] },
     /// |second| ≤ limit − rate²
     WithRate { rate: Node, second: Node, limit: [f64; 2] },
-    /// s + rate² ≤ limit, or with a second rate (s + rate²)² + second² ≤ limit, where s is the square of the
+    /// s + rate² ≤ limit, or with an acceleration (s + rate²)² + second² ≤ limit, where s is the square of the
     /// angle that cosine and sine were made of, zero where they are given.
     OnCircle { rate: Option<Node>, second: Option<Node>, limit: [f64; 2] },
 }

@@ -58,7 +58,7 @@ fn argument_of_rate(
         (None, Some(at)) if allowed.efforts => Some((
             at,
             "a rate of a rate is an acceleration, and no output",
-            "ask for what moves itself: `motion` gives the second rate of every output",
+            "ask for what moves itself: `motion` gives the acceleration of every output",
         )),
         (None, Some(at)) => Some((
             at,
@@ -74,7 +74,7 @@ fn argument_of_rate(
     let quantity = resolve(scope, argument, allowed)?;
     if !quantity.reads.efforts.is_empty() {
         let message = "the rate of an effort is not known";
-        let reason = "it would follow from the rates of second rates, which no call is given";
+        let reason = "it would follow from the rates of accelerations, which no call is given";
         scope.diagnostics.error_because(argument.span, message, reason);
         return None;
     }

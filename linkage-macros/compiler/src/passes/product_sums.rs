@@ -73,7 +73,7 @@ fn summands(graph: &Graph, id: Id) -> Option<[(Id, bool); 2]> {
     }
 }
 
-/// True for nodes that depend on an input's first or second rate.
+/// True for nodes that depend on an input's velocity or acceleration.
 fn rates(graph: &Graph) -> Vec<bool> {
     let mut rates = Vec::with_capacity(graph.len());
     for (_, node) in graph.iter() {

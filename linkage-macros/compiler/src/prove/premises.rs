@@ -19,7 +19,7 @@ pub(crate) enum Leaf {
 pub(crate) struct Premises {
     /// The ends of each range.
     pub ranges: Vec<[f64; 2]>,
-    /// Value, rate and second rate of each input.
+    /// Value, rate and acceleration of each input.
     pub inputs: Vec<[Leaf; 3]>,
     pub params: Vec<Leaf>,
     pub loads: Vec<Leaf>,

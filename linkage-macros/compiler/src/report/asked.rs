@@ -91,7 +91,7 @@ impl Asked {
         Some(Self { entries, ranges, given, rates, words, within })
     }
 
-    /// The premises with these rates and second rates of all inputs.
+    /// The premises with these rates and accelerations of all inputs.
     pub(super) fn at_rates(
         &self,
         rates: &[OutwardInterval],

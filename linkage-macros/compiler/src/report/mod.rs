@@ -137,7 +137,7 @@ pub struct BoundReport {
     pub within: f64,
     /// No bound can be smaller by this method: what it is at a point.
     pub attained: f64,
-    /// The bound of the part of a second rate that is a multiple of the inputs' second rates.
+    /// The bound of the part of an acceleration that is a multiple of the inputs' accelerations.
     pub with_acceleration: f64,
     /// Where it is worst, an entry a range.
     pub at: Vec<f64>,

@@ -112,7 +112,7 @@ impl Proved<'_> {
         names.map(range).collect()
     }
 
-    /// The premises with the inputs' rates, and with their second rates where bounds are multiples of both.
+    /// The premises with the inputs' rates, and with their accelerations where bounds are multiples of both.
     fn given(&self) -> (Premises, Option<Premises>) {
         let columns = self.mechanism.inputs.len();
         let none = vec![OutwardInterval::ZERO; columns];

@@ -164,7 +164,7 @@ fn a_mistake_in_what_is_asked_is_named() {
     );
 }
 
-/// Forces at the rate that is given, and the second rate under no load.
+/// Forces at the rate that is given, and the acceleration under no load.
 #[test]
 fn forces_and_dynamics_are_proved() {
     let source = "struct M { input theta: angle; ground A(0, 0), D(750mm, 0);

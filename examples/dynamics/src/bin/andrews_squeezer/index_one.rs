@@ -1,5 +1,5 @@
 //! The squeezer as the test set has it, with its 27 equations differentiated to index 1: seven angles,
-//! their rates, and at each evaluation 13 × 13 linear equations for second rates and multipliers.
+//! their rates, and at each evaluation 13 × 13 linear equations for accelerations and multipliers.
 //!
 //! Formulas and names are those of the test set's `andrews.f`. The loops are equations of accelerations
 //! here, so that rounding and the integrator's error open them with time.
@@ -77,7 +77,7 @@ pub(crate) fn open([be, th, ga, ph, de, om, ep]: [f64; 7]) -> f64 {
     others.into_iter().map(|[u, v]| (x - u).hypot(y - v)).fold(0.0, f64::max)
 }
 
-/// Seven second rates and six multipliers.
+/// Seven accelerations and six multipliers.
 fn accelerations(state: [f64; 14]) -> Result<[f64; 13], SolveError> {
     let (q, v) = state.split_at(7);
     let (q, v): ([f64; 7], [f64; 7]) =
@@ -158,7 +158,7 @@ fn loops([be, th, ga, ph, de, om, ep]: [f64; 7]) -> SMatrix<f64, 6, 7> {
     g
 }
 
-/// Accelerations of the loops at no second rates.
+/// Accelerations of the loops at no accelerations.
 fn convective([be, th, ga, ph, de, om, ep]: [f64; 7], v: [f64; 7]) -> SVector<f64, 6> {
     let [bp, thp, gp, php, dp, omp, epp] = v;
     let (bt, pd, oe) = (be + th, ph + de, om + ep);

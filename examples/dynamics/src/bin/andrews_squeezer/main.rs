@@ -49,7 +49,7 @@ const TOLERANCES: [f64; 11] =
 /// Times of a run are the best of so many.
 const REPETITIONS: u32 = 25;
 
-/// The test set's 27 numbers, in its order: angles, their rates and second rates, and the forces on
+/// The test set's 27 numbers, in its order: angles, their rates and accelerations, and the forces on
 /// K3, K4 and K6 at P.
 fn test_set_row([beta, rate]: [f64; 2]) -> Result<[f64; 27], SolveError> {
     let squeezer = Squeezer::new();
@@ -84,7 +84,7 @@ fn test_set_row([beta, rate]: [f64; 2]) -> Result<[f64; 27], SolveError> {
     Ok(row)
 }
 
-/// Right digits of angles, rates, second rates and reactions: of the worst of each, the test set's
+/// Right digits of angles, rates, accelerations and reactions: of the worst of each, the test set's
 /// "significant correct digits".
 fn digits(row: [f64; 27]) -> [f64; 4] {
     [0..7, 7..14, 14..21, 21..27].map(|part| {
@@ -159,7 +159,7 @@ fn measured(tolerance: f64) -> Result<[Measured; 2], Stopped> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!(
-        "Andrews' squeezer after 0.03 s: right digits of 7 angles, rates, second rates and of"
+        "Andrews' squeezer after 0.03 s: right digits of 7 angles, rates, accelerations and of"
     );
     println!("6 reactions, how far the loops are open, and what it took\n");
     println!("{:>10} {:>34} {:>14}", "", "digits", "open by m");
@@ -193,7 +193,7 @@ mod tests {
     use super::*;
 
     /// At rest, against the initial values that the test set publishes, to all their digits: angles of
-    /// the modes that the declaration chose, second rates, and the reactions at the first dyad.
+    /// the modes that the declaration chose, accelerations, and the reactions at the first dyad.
     #[test]
     fn the_start_is_the_test_sets() {
         let row = test_set_row([truth::START[0], 0.0]).unwrap();

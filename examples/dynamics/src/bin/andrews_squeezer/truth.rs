@@ -2,7 +2,7 @@
 //!
 //! The Test Set for Initial Value Problem Solvers (Mazzia and Magherini, release 2.4, problem "Andrews'
 //! squeezing mechanism") has a reference of 16 digits, of which about 10 are right in β, 7 in rates and 6
-//! in second rates and reactions: it is an index-3 run at a tolerance of 1e-14. These numbers come from the
+//! in accelerations and reactions: it is an index-3 run at a tolerance of 1e-14. These numbers come from the
 //! equation of one degree of freedom in closed form, in 40 decimal digits, by Gragg, Bulirsch and Stoer's
 //! extrapolation with 240 and with 300 steps, which agree to 1e-34 in β and to 1e-33 in its rate; its
 //! energy is constant to 2e-36, and it has the test set's initial values to all their digits. Here they are
@@ -19,7 +19,7 @@ pub(crate) const START: [f64; 7] = [
     1.230_547_444_549_821_2,
 ];
 
-/// Angles, their rates in rad/s, their second rates in rad/s², all in the order of [`START`]; the forces on
+/// Angles, their rates in rad/s, their accelerations in rad/s², all in the order of [`START`]; the forces on
 /// K3, K4 and K6 at P, in N, x and y.
 #[rustfmt::skip]
 pub(crate) const ROW: [f64; 27] = [

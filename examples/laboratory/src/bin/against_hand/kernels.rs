@@ -5,12 +5,12 @@ use laboratory::generated::{FourBar, SixBar};
 use laboratory::hand::{Bar, CrankDyad, Dyad, Moving, cos_sin, crank_dyad, swinging_block};
 use linkage_core::{Record, mechanism};
 
-/// Inputs, rates and second rates in registers, numbers out: an array of what has just been written would be
+/// Inputs, rates and accelerations in registers, numbers out: an array of what has just been written would be
 /// read in words of two numbers, which wait for both to be stored.
 #[derive(Clone, Copy)]
 pub(crate) enum Call<const N: usize> {
     One(fn(f64, f64, f64, &mut [f64; N]) -> bool),
-    /// Both inputs, both rates, both second rates.
+    /// Both inputs, both rates, both accelerations.
     Two(fn(f64, f64, f64, f64, f64, f64, &mut [f64; N]) -> bool),
 }
 

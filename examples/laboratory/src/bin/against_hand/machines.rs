@@ -6,7 +6,7 @@ use laboratory::hand::guides::{Guide, Turning, block, crank_block, crossed};
 use laboratory::hand::rails::{Rail, Rod, Slide, yoke};
 use laboratory::hand::{Bar, CrankDyad, Joint, Moving, Vector, cos_sin, crank_dyad, dyad};
 
-/// An input with its rate and second rate.
+/// An input with its rate and acceleration.
 type Input = [f64; 3];
 
 /// The possible outputs of a machine, by the names in its declaration.

@@ -7,7 +7,7 @@ use linkage_tests::double_double::DoubleDouble;
 use crate::kernels::{self, Call, Contest, OtherPoint, TURN, Visit};
 use crate::race::{self, RATES};
 
-/// All over the ranges of the inputs: the inputs, and rates and second rates.
+/// All over the ranges of the inputs: the inputs, and rates and accelerations.
 fn poses(ranges: [[f64; 2]; 2]) -> impl Iterator<Item = [[f64; 2]; 3]> {
     let [[v, a], [w, b]] = RATES;
     race::poses(ranges).into_iter().map(move |pose| [pose, [v, w], [a, b]])
@@ -54,7 +54,7 @@ struct Agreement;
 
 impl Visit for Agreement {
     fn contest<const N: usize>(&mut self, name: &str, call: &str, contest: &Contest<N>) {
-        // So do slides of guides that cross: the second rate has the rate and the slide in it.
+        // So do slides of guides that cross: the acceleration has the rate and the slide in it.
         let with_three = ["six", "shaper", "press", "rocker", "excavator", "arm", "crossed"];
         let has_three = with_three.iter().any(|start| name.starts_with(start));
         let allowed = 2.0 * 5.0 * if has_three { 2.4 * 2.4 * 2.4 } else { 2.4 };

@@ -63,7 +63,7 @@ pub(crate) struct Bench<F, const N: usize> {
     throughput: Race,
     latency: Race,
     errors: Vec<(String, Errors)>,
-    /// Rate and second rate.
+    /// Rate and acceleration.
     rates: [F; 2],
 }
 

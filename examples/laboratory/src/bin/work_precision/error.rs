@@ -18,7 +18,7 @@ fn angles() -> impl Iterator<Item = f64> {
     (0..32).map(|k| 0.0625 + f64::from(25 * k) / 128.0)
 }
 
-/// `solve` is given angle, rate and second rate.
+/// `solve` is given angle, rate and acceleration.
 pub(crate) fn errors<F: Number + Real, const N: usize>(
     mechanism: &Mechanism<N>,
     mut solve: impl FnMut([F; 3]) -> Option<[F; N]>,

@@ -14,7 +14,7 @@ use laboratory::number::Number;
 pub(crate) trait Form<F> {
     type Link: Link<F>;
 
-    /// The pin of a crank on the origin, at its angle, rate and second rate.
+    /// The pin of a crank on the origin, at its angle, rate and acceleration.
     fn crank(&self, input: [F; 3], length: f64) -> Pin<F, Self>;
 
     /// Two bars from a pin and a pivot, the `nth` of the mechanism.
@@ -51,7 +51,7 @@ pub(crate) trait Link<F>: Copy {
     /// The same for a link that turns about a point of the ground.
     fn about(self, pivot: [f64; 2], at: [f64; 2]) -> Self::Point;
 
-    /// The unit vector, its rate and its second rate.
+    /// The unit vector, its rate and its acceleration.
     fn direction(self) -> ([F; 2], F, F);
 }
 

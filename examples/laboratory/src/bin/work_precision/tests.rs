@@ -97,7 +97,7 @@ fn an_error_is_of_its_order_and_in_its_unit() {
     let at = |order: usize| {
         errors(&FOUR_BAR, |[t, w, a]: [f64; 3]| {
             let mut numbers = m::four_bar(&mut Straightforward, [t, w, a])?;
-            // P.x, the coupler's rate, and the rocker's second rate.
+            // P.x, the coupler's rate, and the rocker's acceleration.
             let number = &mut numbers[[0, 8, 13][order]];
             *number += [0.2, 150.0, 5e4][order] * 1e-12;
             Some(numbers)

@@ -79,7 +79,7 @@ fn kind(given: ArgumentKind) -> usize {
     }
 }
 
-/// The entry point that computes second rates of the inputs from the efforts of their drives.
+/// The entry point that computes accelerations of the inputs from the efforts of their drives.
 fn of_drives(interface: &Interface) -> Option<&Entry> {
     interface.entries.iter().find(|entry| entry.given.contains(&ArgumentKind::Drives))
 }
@@ -144,7 +144,7 @@ impl<'a> Model<'a> {
         self.variables.push(Variable { name, role, measure, start });
     }
 
-    /// The inputs, their rates and their second rates.
+    /// The inputs, their rates and their accelerations.
     fn add_inputs(&mut self) {
         let mechanism = self.to.mechanism;
         let count = mechanism.inputs.len();

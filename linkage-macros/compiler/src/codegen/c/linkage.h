@@ -53,7 +53,7 @@ typedef struct LinkageSlidingDirection {
     double slide;
 } LinkageSlidingDirection;
 
-/* The slide of a link that does not turn, or its first or second rate: m, m/s or m/s^2. */
+/* The slide of a link that does not turn, or its velocity or acceleration: m, m/s or m/s^2. */
 typedef struct LinkageSlide {
     double slide;
 } LinkageSlide;

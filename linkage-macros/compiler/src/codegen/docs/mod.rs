@@ -146,7 +146,7 @@ pub(super) fn field(mechanism: &Mechanism, field: &Field) -> TokenStream {
         },
         Subject::GeneralizedForce => quote! {
             /// What acts along each input, of what is applied, weight, springs and the inertia that is left
-            /// without second rates: in N along a length, in N·m about an angle.
+            /// without accelerations: in N along a length, in N·m about an angle.
         },
         Subject::KineticEnergy => quote! {
             /// In J: ½ m v² + ½ J ω² of every mass.
@@ -242,7 +242,7 @@ fn details(mechanism: &Mechanism, interface: &Interface, entry: &Entry) -> Strin
                 ArgumentKind::Sine => None,
                 ArgumentKind::Value => Some(format!("`{name}` in {unit}")),
                 ArgumentKind::Rate => Some(format!("its rate in {unit}/s")),
-                ArgumentKind::Acceleration => Some(format!("its second rate in {unit}/s²")),
+                ArgumentKind::Acceleration => Some(format!("its acceleration in {unit}/s²")),
                 ArgumentKind::Loads => None,
                 ArgumentKind::Drives => Some(match &mechanism.dynamics.pull {
                     Some(load) => format!("the load `{}`, which drives it", text(&load.name)),
@@ -307,7 +307,7 @@ pub(super) fn checked(mechanism: &Mechanism, lowered: &Lowered<'_>, id: EntryId)
 }
 
 const NO_SOLUTION: &str = " `NoSolution` where an equation has no root of its mode between its ends, \
-     `SeveralDeadPoints` where that cannot be told.";
+     `SeveralDeadPoints` where that is not known.";
 
 /// The errors that only an entry point of this kind returns, or never returns.
 fn exceptions(interface: &Interface, entry: &Entry) -> &'static str {
@@ -329,7 +329,7 @@ pub(super) fn sweep(mechanism: &Mechanism, interface: &Interface, entry: &Entry)
          for all.{list}\n\n\
          Every component of the results goes to a slice of its own in `out`, as many long as there \
          are poses, or empty where it is not wanted; `status` is such a slice too. Where \
-         `{}` would be an error, the numbers are NaN and `status` has the error's kind. `progress` is told \
+         `{}` would be an error, the numbers are NaN and `status` has the error's kind. `progress` is called with \
          how many poses are done, and how many there are, every few thousand poses; `()` tells nobody.\n\n\
          # Errors\nTwo slices are not of one length; nothing was computed.",
         entry.point.row().subject,

@@ -4,23 +4,10 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::context::Context;
-use super::paths::Paths;
-use super::token_list::Tokens;
 use crate::codegen::docs::costs_in_words::MOST;
-use crate::codegen::identifiers::generated;
 use crate::interface::Interface;
 use crate::interface::entries::Analysis;
 use crate::ir::cost::Operations;
-
-/// The type of `COST`.
-pub(super) fn ty(cx: &Context<'_>) -> Tokens {
-    cx.paths.item(match (cx.searches(), has_forces(cx.interface)) {
-        (true, true) => "SearchingForcesCost",
-        (true, false) => "SearchingCost",
-        (false, true) => "ForcesCost",
-        (false, false) => "Cost",
-    })
-}
 
 /// True if an entry point about forces has a cost.
 fn has_forces(interface: &Interface) -> bool {
@@ -28,52 +15,34 @@ fn has_forces(interface: &Interface) -> bool {
     points.any(|point| point.is_about_forces() && point.row().has_cost)
 }
 
-/// The initialiser of `COST`.
+/// The initialiser of `COST`. What has no forces leaves their entry points out: each token costs a user's compiler.
 pub(super) fn constant(cx: &Context<'_>) -> TokenStream {
-    let (cost, has_forces) = (ty(cx), has_forces(cx.interface));
+    let has_forces = has_forces(cx.interface);
     let points = Analysis::all().map(Analysis::by_value);
     let points = points.filter(|point| point.row().has_cost);
-    let fields = points.filter(|point| has_forces || !point.is_about_forces()).map(|point| {
-        let cost = cx
-            .interface
-            .find(point)
-            .map_or_else(Operations::default, |id| cx.lowered.costs[id.index()]);
-        let (name, cost) = (generated(point.name()), record(&cx.paths, cost));
-        quote!(#name: #cost)
+    let points = points.filter(|point| has_forces || !point.is_about_forces()).map(|point| {
+        let id = cx.interface.find(point);
+        counts(id.map_or_else(Operations::default, |id| cx.lowered.costs[id.index()]))
     });
-    let searches = cx.searches().then(|| searches(cx)).map(|searches| quote!(searches: #searches));
-    let fields = fields.chain(searches);
-    quote!(#cost { #(#fields),* })
+    let (cost, searches) = (cx.paths.item("cost"), searches(cx));
+    quote!(#cost(&[#(#points),*], &[#(#searches),*]))
 }
 
-/// The costs of the searches, as a list.
-fn searches(cx: &Context<'_>) -> TokenStream {
-    let cost_type = cx.paths.item("SearchCost");
+/// The costs of the searches.
+fn searches(cx: &Context<'_>) -> Vec<TokenStream> {
+    let search_cost = cx.paths.item("search_cost");
     let costs = cx.mechanism.unknowns.iter().enumerate().filter_map(|(index, unknown)| {
         let search = cx.lowered.search(index)?;
-        let (name, evaluation) =
-            (cx.mechanism.title_of_unknown(unknown), record(&cx.paths, search.cost));
-        let [wide, narrow] = MOST.map(Literal::u32_unsuffixed);
-        Some(quote!(#cost_type {
-            unknown: #name,
-            evaluation: #evaluation,
-            evaluations: #wide,
-            evaluations_f32: #narrow
-        }))
+        let (name, evaluation) = (cx.mechanism.title_of_unknown(unknown), counts(search.cost));
+        let most = MOST.map(Literal::u32_unsuffixed);
+        Some(quote!(#search_cost(#name, #evaluation, [#(#most),*])))
     });
-    quote!(&[#(#costs),*])
+    costs.collect()
 }
 
-fn record(paths: &Paths, cost: Operations) -> TokenStream {
-    let name = paths.item("Operations");
-    let [additions, multiplications, divisions, roots, sines] =
-        [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.sines]
-            .map(Literal::u32_unsuffixed);
-    quote!(#name {
-        additions: #additions,
-        multiplications: #multiplications,
-        divisions: #divisions,
-        roots: #roots,
-        sines: #sines
-    })
+/// The numbers of an entry point, in the order in which the run-time crate takes them.
+fn counts(cost: Operations) -> TokenStream {
+    let Operations { additions, multiplications, divisions, roots, sines } = cost;
+    let counts = [additions, multiplications, divisions, roots, sines].map(Literal::u32_unsuffixed);
+    quote!([#(#counts),*])
 }

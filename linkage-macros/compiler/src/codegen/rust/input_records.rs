@@ -14,7 +14,7 @@ pub(super) fn input_of(interface: &Interface, number: &str) -> String {
     }
 }
 
-/// Values, rates or second rates of the inputs, from a function of the place of each among all.
+/// Values, rates or accelerations of the inputs, from a function of the place of each among all.
 pub(super) fn of_numbers(signatures: &Signatures<'_>, number: &str, order: usize, to: &mut Text) {
     let first = order * signatures.mechanism.inputs.len();
     if signatures.interface.input_record().is_none() {

@@ -135,7 +135,7 @@ fn constants(cx: &Context<'_>) -> TokenStream {
     let params: Vec<_> =
         params.iter().map(|p| identifiers::string(&text(&p.name), p.name.span())).collect();
     let (columns, numbers) = (cx.columns(), Literal::usize_unsuffixed(params.len()));
-    let (cost_type, cost) = (cost_constant::ty(cx), cost_constant::constant(cx));
+    let (cost_type, cost) = (cx.paths.item("Cost"), cost_constant::constant(cx));
     let (forces, cost_docs, drawn) =
         (force_rows(cx.mechanism), docs::cost(cx.mechanism.is_stub), drawn(cx));
     let [float, string, same_as] = ["f64", "str", "SameAs"].map(|name| cx.paths.item(name));

@@ -1,5 +1,5 @@
-//! `state_rates`: what integrators take, made of the second rates under forces; and `mixed_dynamics`, of which
-//! some second rates are told. Both are made of other entry points, and no formula is printed for them.
+//! `state_rates`: what integrators take, made of the accelerations under forces; and `mixed_dynamics`, of which
+//! some accelerations are prescribed. Both are made of other entry points, and no formula is printed for them.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -17,14 +17,14 @@ pub(super) fn items(cx: &Context<'_>) -> TokenStream {
     quote!(#state_rates #mixed)
 }
 
-/// The names of the numbers of a state: values, rates and second rates of the inputs.
+/// The names of the numbers of a state: values, rates and accelerations of the inputs.
 fn state(mechanism: &Mechanism) -> [Vec<Ident>; 3] {
     let count = mechanism.inputs.len();
     let named = |letter: &str| (0..count).map(|i| generated(&format!("{letter}{i}_"))).collect();
     ["q", "v", "a"].map(named)
 }
 
-/// Refuses rates that are not finite: one that moves no second rate is asked for nowhere else.
+/// Refuses rates that are not finite: one that moves no acceleration is asked for nowhere else.
 fn rates_are_finite(cx: &Context<'_>, rates: &[Ident]) -> TokenStream {
     let scalar = &cx.names.scalar;
     let [result, error] = ["Result", "SolveError"].map(|item| cx.paths.item(item));
@@ -59,7 +59,7 @@ fn state_rates(cx: &Context<'_>) -> TokenStream {
     };
     let (q, v, a) = (list(&values), list(&rates), list(&seconds));
     let docs = lines(&format!(
-        "The rates of a state, values and rates of the inputs: rates and second rates, what an \
+        "The rates of a state, values and rates of the inputs: rates and accelerations, what an \
          integrator takes.\n\n# Errors\nThose of `{title}`.",
     ));
     let rates_are_finite = rates_are_finite(cx, &rates);
@@ -80,7 +80,7 @@ fn state_rates(cx: &Context<'_>) -> TokenStream {
     }
 }
 
-/// The functions of a motion that is told in part, of several inputs alone: of one, `forces` and `forward_dynamics` are
+/// The functions of a motion that is prescribed in part, of several inputs alone: of one, `forces` and `forward_dynamics` are
 /// both of them.
 fn mixed(cx: &Context<'_>) -> TokenStream {
     let equations = cx.interface.find(Analysis::EquationsOfMotion.by_value());
@@ -91,7 +91,7 @@ fn mixed(cx: &Context<'_>) -> TokenStream {
     let number = quote!(#scalar);
     let arguments = cx.signatures.arguments(&cx.entry(id).given);
     let (names, declared) = (arguments.names(), arguments.declared(&cx.paths, &number));
-    let told = clear_of(names, Ident::new("given", Span::call_site()));
+    let prescribed = clear_of(names, Ident::new("given", Span::call_site()));
     let (own, own_declared) = (&names[2..], &declared[2..]);
     let (declared, equations) =
         (&declared[..2], Ident::new(cx.entry(id).name(), Span::call_site()));
@@ -102,7 +102,7 @@ fn mixed(cx: &Context<'_>) -> TokenStream {
             .map(|item| cx.paths.item(item));
     let [values, rates, _] = state(cx.mechanism);
     let rates_are_finite = rates_are_finite(cx, &rates);
-    let [found, second_rates] = ["found_", "second_rates_"].map(generated);
+    let [found, accelerations] = ["found_", "accelerations_"].map(generated);
     let seconds = (0..values.len()).map(Literal::usize_unsuffixed);
     let [docs, docs_of_rates] = docs_of_mixed();
     quote! {
@@ -111,11 +111,11 @@ fn mixed(cx: &Context<'_>) -> TokenStream {
             pub fn mixed_dynamics(
                 &self,
                 #(#declared,)*
-                #told: [#given<#scalar>; #count],
+                #prescribed: [#given<#scalar>; #count],
                 #(#own_declared),*
             ) -> #result<#mixed<#scalar, #count>, #error> {
                 let #found = self.#equations(#(#names),*)?;
-                #solve(#found.mass, #found.force, #told, #solver::<#float>::INPUTS)
+                #solve(#found.mass, #found.force, #prescribed, #solver::<#float>::INPUTS)
             }
 
             #docs_of_rates
@@ -123,13 +123,13 @@ fn mixed(cx: &Context<'_>) -> TokenStream {
             pub fn state_rates_given(
                 &self,
                 [#(#values,)* #(#rates),*]: [#scalar; #states],
-                #told: [#given<#scalar>; #count],
+                #prescribed: [#given<#scalar>; #count],
                 #(#own_declared),*
             ) -> #result<[#scalar; #states], #error> {
-                let #second_rates =
-                    self.mixed_dynamics([#(#values),*], [#(#rates),*], #told, #(#own),*)?.second_rates;
+                let #accelerations =
+                    self.mixed_dynamics([#(#values),*], [#(#rates),*], #prescribed, #(#own),*)?.accelerations;
                 #rates_are_finite
-                #ok([#(#rates,)* #(#second_rates[#seconds]),*])
+                #ok([#(#rates,)* #(#accelerations[#seconds]),*])
             }
         }
     }
@@ -137,11 +137,11 @@ fn mixed(cx: &Context<'_>) -> TokenStream {
 
 fn docs_of_mixed() -> [TokenStream; 2] {
     [
-        "Second rates and drives of all inputs, of each of which one is given.\n\nThe given numbers are an \
+        "Accelerations and drives of all inputs, of each of which one is given.\n\nThe given numbers are an \
          array in the order of `INPUTS`, the others follow from `equations_of_motion`.\n\n# Errors\nThose of \
          `equations_of_motion`. `Singular` names an input that is given its drive and moves no mass of its own; \
-         `NotFinite` an input whose second rate or drive is not finite.",
-        "The rates of a state, where the caller writes values and rates of told inputs from their functions of time: \
+         `NotFinite` an input whose acceleration or drive is not finite.",
+        "The rates of a state, where the caller writes values and rates of prescribed inputs from their functions of time: \
          `state_rates` by `mixed_dynamics`.\n\n# Errors\nThose of `mixed_dynamics`.",
     ]
     .map(lines)

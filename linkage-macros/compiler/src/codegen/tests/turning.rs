@@ -116,7 +116,7 @@ fn the_ends_are_said_to_be_dead_points_where_there_is_forward_dynamics() {
     let (rocker, crank) = ("(0.75m, 0.9m)", "(2.2m, 1.5m)");
     let said = |lengths, mass| said(&bars(lengths, mass));
     assert!(said(rocker, "mass 1kg on C;").contains(DEAD));
-    assert!(!said(rocker, "").contains("dead points"), "nobody asks for second rates");
+    assert!(!said(rocker, "").contains("dead points"), "nobody asks for accelerations");
     assert!(!said(crank, "mass 1kg on C;").contains("dead points"), "it turns fully");
 }
 

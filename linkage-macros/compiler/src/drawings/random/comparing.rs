@@ -13,7 +13,7 @@ use super::truth::{Equation, Pose, Truth};
 const OPERATIONS: f64 = 200.0;
 
 /// A pose is off by what closes its joints to rounding, times κ, the condition of all equations. Its rates solve a
-/// system whose slopes are off by as much: κ² of them. Second rates add the products of rates, once more κ of the
+/// system whose slopes are off by as much: κ² of them. Accelerations add the products of rates, once more κ of the
 /// square of the largest rate.
 pub(super) struct Off {
     pub of_order: [f64; 3],
@@ -77,7 +77,7 @@ pub(super) fn motion(truth: &Truth<'_>, pose: &Pose, off: &Off) -> Expected {
     known
 }
 
-/// All efforts and reactions. Multipliers solve the system of the rates, whose right side has the second rates, each
+/// All efforts and reactions. Multipliers solve the system of the rates, whose right side has the accelerations, each
 /// times a mass, and friction adds to what is off.
 pub(super) fn efforts(
     truth: &Truth<'_>,

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-/// A value with its first and its second rate.
+/// A value with its first and its acceleration.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Jet(pub [f64; 3]);
 

@@ -1,4 +1,4 @@
-//! From forces to motion: the equations of motion in the inputs, and their second rates.
+//! From forces to motion: the equations of motion in the inputs, and their accelerations.
 //!
 //! ```text
 //! M q̈ = Q + τ      M_ij = Σ m c_i·c_j + J k_i k_j
@@ -129,7 +129,7 @@ pub(in crate::equations) fn equations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     mass.concat().into_iter().chain(force).map(|number| number.id).collect()
 }
 
-/// The second rates of the inputs.
+/// The accelerations of the inputs.
 pub(in crate::equations) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let equations = equations_of(kinematics);
     let right = equations.force.iter().enumerate();

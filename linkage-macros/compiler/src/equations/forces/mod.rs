@@ -174,7 +174,7 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
     }
 }
 
-/// The second rates of the inputs under given drives.
+/// The accelerations of the inputs under given drives.
 pub(super) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     match kinematics.mechanism.dynamics.frictions.is_empty() {
         true => dynamics::accelerations(kinematics),

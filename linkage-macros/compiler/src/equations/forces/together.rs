@@ -67,7 +67,7 @@ pub(in crate::equations) fn centre_of_mass<'s>(kinematics: &Kinematics<'s>) -> [
     moments(kinematics, total.recip())
 }
 
-/// Σ m r of all masses, and its first and second rate, in shares.
+/// Σ m r of all masses, and its velocity and acceleration, in shares.
 fn moments<'s>(kinematics: &Kinematics<'s>, share: Sym<'s>) -> [Vector<'s>; 3] {
     let masses = Masses::of(kinematics);
     let mut sums = [kinematics.builder.zero_vector(); 3];

@@ -115,7 +115,7 @@ fn prp<'s>(scope: &GroupScope<'s>, guides: [Frame<'s>; 2], offsets: [Jet<'s>; 2]
     }
 }
 
-/// Rates and second rates of the slides where one guide, of any offset, stands still and the other one
+/// Rates and accelerations of the slides where one guide, of any offset, stands still and the other one
 /// swings about a point of the ground.
 fn crossing<'s>(
     guides: [Frame<'s>; 2],

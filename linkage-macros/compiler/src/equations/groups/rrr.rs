@@ -234,7 +234,7 @@ fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSi
     HalfSine { scale, square: (near * scale) * (far * scale) }
 }
 
-/// Half of the rate and of the second rate of d².
+/// Half of the rate and of the acceleration of d².
 fn half_rates<'s>(joints: [PointMotion<'s>; 2]) -> [Sym<'s>; 2] {
     if let Some(crank) = CrankPin::of(joints) {
         return crank.half_rates();

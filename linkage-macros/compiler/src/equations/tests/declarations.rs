@@ -1,6 +1,6 @@
 //! A declaration a variant of a group: joints and guides fixed and moving, modes, dimensions, off its limits.
 
-/// A named declaration and the value, rate and second rate of each input.
+/// A named declaration and the value, rate and acceleration of each input.
 pub(crate) struct Variant {
     pub name: &'static str,
     pub source: &'static str,

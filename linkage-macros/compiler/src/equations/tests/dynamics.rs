@@ -106,7 +106,7 @@ impl<N: Number> Found<'_, N> {
 }
 
 impl<'m, N: Number> State<'m, N> {
-    /// Everything at these rates and second rates.
+    /// Everything at these rates and accelerations.
     fn at(&self, rates: &[N], seconds: &[N]) -> Found<'m, N> {
         let inputs = self.inputs.iter().zip(rates).zip(seconds);
         let inputs =
@@ -166,7 +166,7 @@ fn check_digits(name: &str, mechanism: &Mechanism, program: &Program, inputs: &[
     let alone = kinetic(&rates);
     let one_more: Vec<_> = (0..count).map(|input| kinetic(&more(&rates, input))).collect();
     for column in 0..count {
-        // Efforts are affine in second rates, and the kinetic energy is quadratic in rates.
+        // Efforts are affine in accelerations, and the kinetic energy is quadratic in rates.
         let pushed = state.at(&rates, &more(&seconds, column)).of(WALK);
         for row in 0..=column {
             let by_efforts = pushed[row].sub(&efforts[row]);

@@ -1,6 +1,6 @@
-//! Second rates of machines with five and six frictions, put back into the full matrix of all bodies.
+//! Accelerations of machines with five and six frictions, put back into the full matrix of all bodies.
 //!
-//! All amounts depend on each other there. At the second rate that a drive brings about, the matrix with all
+//! All amounts depend on each other there. At the acceleration that a drive brings about, the matrix with all
 //! friction has to give the drive back.
 
 use crate::equations::derive;
@@ -64,7 +64,7 @@ fn drives_come_back(first: usize) {
             let found = check_declared(name, &source, &motion, false, &Jamming::LeftOut);
             assert_eq!(found, count, "{name}");
             let drive = drive(&source, &motion);
-            // The second rate is rounded once; masses of some kilograms take that over a metre.
+            // The acceleration is rounded once; masses of some kilograms take that over a metre.
             let rounding = 1e-13 * (30.0 + motion[0][2].abs());
             assert!((drive - DRIVE).abs() < rounding, "{name}: {drive}");
         }

@@ -107,7 +107,7 @@ fn over_what_is_seen(name: &str, case: &Case, poses: usize) -> Vec<f64> {
     ratios
 }
 
-/// Machines at rates of one and at second rates of one. So that a bound cannot rot, none is far above what is
+/// Machines at rates of one and at accelerations of one. So that a bound cannot rot, none is far above what is
 /// seen.
 fn of_machines(poses: usize) {
     let mut all = Vec::new();

@@ -66,7 +66,7 @@ static fmi3Status discard(const Instance *instance, const LinkageError *error)
     return fmi3Discard;
 }
 
-/* Computes a group of variables. All need the second rates, which come with the first. */
+/* Computes a group of variables. All need the accelerations, which come with the first. */
 static fmi3Status evaluated(Instance *instance, size_t group)
 {
     const size_t needed[2] = { 0, group };

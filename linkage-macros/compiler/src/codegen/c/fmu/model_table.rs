@@ -54,7 +54,7 @@ impl Model<'_> {
         (functions, names.join(", "))
     }
 
-    /// The function of a group. The first one's also computes the second rates of the inputs.
+    /// The function of a group. The first one's also computes the accelerations of the inputs.
     fn evaluation_of(&self, nth: usize) -> String {
         let (mechanism, interface) = (self.to.mechanism, self.to.interface());
         let mut lines =

@@ -1,4 +1,4 @@
-//! The second rates of the inputs under given drives, where joints rub.
+//! The accelerations of the inputs under given drives, where joints rub.
 //!
 //! All amounts depend on each other: with W the power of a unit of each friction at the unit rates,
 //!
@@ -8,7 +8,7 @@
 //!
 //! so that G is affine in the amounts alone, with A + (∂G/∂q̈) M⁻¹ W: the equation of the
 //! [`system`](super::system), of the whole mechanism at once. Each part is a walk under nothing but itself: all that
-//! acts at q̈ = 0, the inertia of a unit of each second rate, a unit of each friction.
+//! acts at q̈ = 0, the inertia of a unit of each acceleration, a unit of each friction.
 //!
 //! # At rest
 //! Where q̇ is zero, friction acts against the motion that is just starting. One input starts in the direction
@@ -34,14 +34,14 @@ use super::system::solved;
 /// The most amounts that may depend on each other: the code that is written down grows with their cube.
 const MOST: usize = 8;
 
-/// True if second rates are known beside the mechanism's friction.
+/// True if accelerations are known beside the mechanism's friction.
 pub(in crate::equations) fn is_offered(mechanism: &Mechanism) -> bool {
     let frictions = &mechanism.dynamics.frictions;
     let is_smooth = frictions.iter().all(|friction| friction.smooth.is_some());
     frictions.len() <= MOST && (mechanism.inputs.len() == 1 || is_smooth)
 }
 
-/// The second rates of the inputs.
+/// The accelerations of the inputs.
 pub(in crate::equations::forces) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let equations = Equations::of(kinematics);
     let (builder, count) = (kinematics.builder, kinematics.inputs.len());
@@ -116,7 +116,7 @@ fn contacts<'s>(
     contacts
 }
 
-/// The equations of the amounts; `still` has no second rates.
+/// The equations of the amounts; `still` has no accelerations.
 fn rows<'s>(
     kinematics: &Kinematics<'s>,
     still: &Kinematics<'s>,
@@ -152,7 +152,7 @@ fn rows<'s>(
 /// The start of the only input from rest.
 struct Start<'s> {
     rate: Sym<'s>,
-    /// The sign of its second rate where it is at rest; zero where friction holds it, and in motion.
+    /// The sign of its acceleration where it is at rest; zero where friction holds it, and in motion.
     way: Sym<'s>,
 }
 
@@ -184,7 +184,7 @@ impl<'s> Start<'s> {
         Some(Self { rate, way })
     }
 
-    /// The second rate, or none where friction holds.
+    /// The acceleration, or none where friction holds.
     fn held(&self, second_rate: Sym<'s>) -> Sym<'s> {
         let zero = self.rate.builder().zero();
         // 0 ≥ |way| and 0 ≥ |q̇|
