@@ -6,7 +6,8 @@
 //! | [`start_in_c`] | the first machine in C99: `cc`, then a declaration of your own |
 //! | [`start_in_rust`] | the first machine in a Rust program |
 //! | [`questions`] | fifty questions of newcomers, each with the heading that answers it |
-//! | [`language`] | machines as they are drawn, and cut into Assur groups; every statement; frames and signs |
+//! | [`language`] | machines as they are drawn or built; every statement; frames and signs; glossary |
+//! | [`cut`] | how a machine is cut into Assur groups; modes, limits, dead and change points, class III, drawn |
 //! | [`figures`] | the statements drawn: frames, signs, dimensions, modes |
 //! | [`expressions`] | numbers, units, functions, what an expression can read |
 //! | [`forces`] | masses and loads; efforts of drives and reactions of joints; motion from forces |
@@ -53,6 +54,7 @@ pub mod start_in_rust {
 }
 
 pub mod questions {
+    //! [How a machine is cut]: super::cut#from-a-machine-to-its-groups
     //! [Controllers and simulators: In a simulator]: super::control#in-a-simulator
     //! [Controllers and simulators: Without the standard library]: super::control#without-the-standard-library
     //! [Forces]: super::forces#forces
@@ -81,7 +83,6 @@ pub mod questions {
     //! [Start in a browser]: super::start_in_a_browser
     //! [Start in a browser: From PMKS+, SAM, Linkage or pylinkage]: super::start_in_a_browser#from-pmks-sam-linkage-or-pylinkage
     //! [Statements: Frames and signs]: super::language#frames-and-signs
-    //! [Statements: From a machine to its groups]: super::language#from-a-machine-to-its-groups
     //! [Statements: Glossary]: super::language#glossary
     //! [Statements: Set-points and groups of class III]: super::language#set-points-and-groups-of-class-iii
     //! [Statements: drive]: super::language#drive
@@ -105,9 +106,11 @@ pub mod questions {
 
 pub mod language {
     //! [control]: super::control
+    //! [cut]: super::cut
     //! [expressions]: super::expressions
     //! [figures]: super::figures
     //! [forces]: super::forces
+    //! [friction]: super::friction
     //! [measurements]: super::measurements
     //! [parallelogram]: super::recipes#a-parallelogram
     //! [`extrema`]: crate::range::extrema()
@@ -118,6 +121,17 @@ pub mod language {
     // of two definitions the first holds.
     #![doc = include_str!("figures/drawn.md")]
     #![doc = include_str!("../docs/language.md")]
+}
+
+pub mod cut {
+    //! [dyads]: super::language#dyads
+    //! [set-points]: super::language#set-points-and-groups-of-class-iii
+    //! [sets]: super::language#several-sets-of-inputs
+    //! [`limits`]: crate::range::limits()
+    //! [`Tracker`]: crate::Tracker
+    //!
+    #![doc = include_str!("figures/drawn_limits.md")]
+    #![doc = include_str!("../docs/cut.md")]
 }
 
 pub mod figures {
@@ -166,6 +180,23 @@ pub mod figures {
     //!
     //! <div>
     #![doc = include_str!("figures/polar.svg")]
+    //! </div>
+    //!
+    //! # Limits, dead and change points, class III
+    //! <div>
+    #![doc = include_str!("figures/limit.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/dead_point.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/change_point.svg")]
+    //! </div>
+    //!
+    //! <div>
+    #![doc = include_str!("figures/class_three.svg")]
     //! </div>
 }
 

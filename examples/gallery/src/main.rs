@@ -55,6 +55,7 @@ fn committed() -> Result<(), SketchError> {
     }
     std::fs::write(kept.join("suspension.svg"), gallery::motions::of_unknowns().to_svg()?)?;
     std::fs::write(kept.join("drawn.md"), figures::addresses()?)?;
+    std::fs::write(kept.join("drawn_limits.md"), figures::addresses_of_limits()?)?;
     let kept = root.join("examples/gallery/films");
     std::fs::create_dir_all(&kept)?;
     for (name, film) in gallery::readme() {

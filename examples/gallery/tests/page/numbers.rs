@@ -7,8 +7,8 @@ use std::fmt::Write;
 use std::process::Command;
 
 use gallery::declarations::*;
+use linkage_core::Solver;
 use linkage_core::find::Crossing;
-use linkage_core::private::Solver;
 use linkage_core::sketch::{Drawn, Film, Paged, SketchError};
 use linkage_core::{Record, SolveError};
 

@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 use std::sync::OnceLock;
 use std::{env, fs};
 
-use linkage_core::private::Solver;
+use linkage_core::Solver;
 use linkage_core::sketch::{Drawn, Paged, Sketch};
 
 use super::numbers::Random;

@@ -42,6 +42,8 @@ fn documentation_and_readme_show_what_is_drawn_now() {
     let film = gallery::motions::of_unknowns();
     differs("linkage-core/src/figures/suspension.svg", &film.to_svg().unwrap());
     differs("linkage-core/src/figures/drawn.md", &gallery::figures::addresses().unwrap());
+    let of_limits = gallery::figures::addresses_of_limits().unwrap();
+    differs("linkage-core/src/figures/drawn_limits.md", &of_limits);
     for (name, film) in gallery::readme() {
         differs(&format!("examples/gallery/films/{name}.svg"), &film.to_svg().unwrap());
     }
