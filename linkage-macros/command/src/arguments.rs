@@ -29,6 +29,7 @@ Wherever they apply:
 ///     linkage draw shear.rs -o shear.svg          a picture of a pose
 ///     linkage export c shear.rs -o control/       flying_shear.h, flying_shear.c and the run-time
 ///     cc -std=c99 -O2 -c control/*.c
+///     linkage export st shear.rs -o plc/          function blocks for a PLC, IEC 61131-3
 ///     linkage export fmu press.rs -o press.fmu    a model for simulators, FMI 3.0
 ///
 /// The exit status is 0, 1 where a mechanism has a mistake or a file is stale, or 2 where the arguments or a file cannot be
@@ -108,7 +109,7 @@ pub(crate) enum Command {
     /// Without --at a drawn machine stands as its declaration draws it, and an angle is one radian.
     #[command(verbatim_doc_comment)]
     Draw(Draw),
-    /// Print the solvers of a file as C99, as an FMU, or as Rust
+    /// Print the solvers of a file as C99, as structured text, as an FMU, or as Rust
     ///
     /// c: for each mechanism a header and a source, and once `linkage_run.h` and `linkage_run.c`, which all of them need;
     /// `linkage_root.c` too where a mechanism has an unknown, `linkage_friction.c` where joints rub.
@@ -124,6 +125,14 @@ pub(crate) enum Command {
     ///
     /// The sources are C99 and C++17, call nothing but <math.h>, and allocate nothing. Do not compile them with
     /// -ffast-math; a compiler other than gcc, clang and MSVC has to be told not to contract products into sums.
+    ///
+    /// st: for each mechanism a text of types and function blocks of IEC 61131-3, and once `linkage_run.st`, which all of
+    /// them need. A block is an entry point's fast path in LREAL or REAL: `status` is 0 and results have the bits of
+    /// printed C, or `status` and `refused` tell what is to blame and results are zero. Next to a limit it refuses what
+    /// printed C decides without rounding. No block meets an infinity. Searches and friction are refused.
+    ///
+    ///     linkage export st shear.rs -o plc/ --only motion,f64
+    ///     linkage export st shear.rs -o plc/ --sines controller
     ///
     /// fmu: a model of one mechanism for model exchange and for co-simulation (FMI 3.0), as sources and, where `cc` is
     /// there, as a library for this machine. Where masses are declared for every input, the inputs and their rates are
@@ -283,12 +292,15 @@ pub(crate) struct Export {
     pub chosen: Chosen,
     #[command(flatten)]
     pub target: Target,
-    /// For c: entry points and widths to print, such as motion_at,f32; all of them without this
+    /// For c and st: entry points and widths to print, such as motion_at,f32; all of them without this
     #[arg(long, value_name = "ENTRY,WIDTH,…", value_delimiter = ',')]
     pub only: Vec<String>,
-    /// For c: a word in front of the names of functions, types and files, the run-time's too: `acme` for `acme_arm_motion`
+    /// For c and st: a word in front of the names of functions, types and files, the run-time's too: `acme` for `acme_arm_motion`
     #[arg(long, value_name = "WORD")]
     pub prefix: Option<String>,
+    /// For st: sines and cosines that are printed, with the bits of printed C, or SIN and COS of the controller
+    #[arg(long, value_enum)]
+    pub sines: Option<Sines>,
     /// For fmu: take inputs and their rates as given, whatever has mass
     #[arg(long)]
     pub kinematic: bool,
@@ -298,8 +310,16 @@ pub(crate) struct Export {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     C,
+    St,
     Fmu,
     Rust,
+}
+
+/// Where a block's sines and cosines come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Sines {
+    Printed,
+    Controller,
 }
 
 impl Format {

@@ -1,21 +1,23 @@
 //! The verb `export`: solvers in other languages and formats.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use linkage_compiler::{File, Options, compile};
 use proc_macro2::TokenStream;
 
-use crate::arguments::{Export, Format};
+use crate::arguments::{Export, Format, Sines};
 use crate::fmu;
 use crate::output::{self, Failure};
 use crate::program::Program;
 
 pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     // The flags that some formats alone have.
-    let flags: [(&str, bool, &[Format]); 3] = [
-        ("--only", !arguments.only.is_empty(), &[Format::C]),
-        ("--prefix", arguments.prefix.is_some(), &[Format::C]),
+    let texts = &[Format::C, Format::St];
+    let flags: [(&str, bool, &[Format]); 4] = [
+        ("--only", !arguments.only.is_empty(), texts),
+        ("--prefix", arguments.prefix.is_some(), texts),
+        ("--sines", arguments.sines.is_some(), &[Format::St]),
         ("--kinematic", arguments.kinematic, &[Format::Fmu]),
     ];
     let own = |formats: &[Format]| formats.contains(&arguments.format);
@@ -30,6 +32,7 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     let program = Program::read(&arguments.file, &arguments.chosen)?;
     match arguments.format {
         Format::C => c(arguments, &program),
+        Format::St => st(arguments, &program),
         Format::Fmu => fmu(arguments, &program),
         Format::Rust => rust(arguments, &program),
     }
@@ -37,17 +40,35 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
 
 /// Writes the C of all declarations into a folder, or of none.
 fn c(arguments: &Export, program: &Program) -> Result<(), Failure> {
-    let only: Vec<&str> = arguments.only.iter().map(String::as_str).collect();
-    let prefix = arguments.prefix.as_deref();
+    let (only, prefix) = (only(arguments), arguments.prefix.as_deref());
     let printed = program.all(|declaration| linkage_compiler::c(declaration, &only, prefix))?;
-    let beside = || arguments.file.parent().unwrap_or(Path::new("")).to_path_buf();
-    let folder = arguments.target.output.clone().unwrap_or_else(beside);
+    let folder = folder(arguments);
     let files: Vec<File> = printed.into_iter().flatten().collect();
     if !arguments.target.stale {
         leaves_others_alone(&folder, &files)?;
     }
     let files = files.into_iter().map(|file| (file.name, file.text));
     output::files(&folder, files, arguments.target.stale)
+}
+
+/// Writes the structured text of all declarations into a folder, or of none.
+fn st(arguments: &Export, program: &Program) -> Result<(), Failure> {
+    let (only, prefix) = (only(arguments), arguments.prefix.as_deref());
+    let by_controller = arguments.sines == Some(Sines::Controller);
+    let printed = program
+        .all(|declaration| linkage_compiler::st(declaration, &only, prefix, by_controller))?;
+    let files = printed.into_iter().flatten().map(|file| (file.name, file.text));
+    output::files(&folder(arguments), files, arguments.target.stale)
+}
+
+fn only(arguments: &Export) -> Vec<&str> {
+    arguments.only.iter().map(String::as_str).collect()
+}
+
+/// The folder of several files: the source's where none is given.
+fn folder(arguments: &Export) -> PathBuf {
+    let beside = || arguments.file.parent().unwrap_or(Path::new("")).to_path_buf();
+    arguments.target.output.clone().unwrap_or_else(beside)
 }
 
 /// The beginning of the line by which a source asks for the run-time that it was printed with.

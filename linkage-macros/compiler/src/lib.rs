@@ -30,7 +30,7 @@
 //! | `passes` | make the graph smaller without changing what it means | know a mechanism |
 //! | `prove` | bounds on the rounding errors of a graph, over a range of its inputs | know a mechanism |
 //! | `lower` | which routine computes what, in which order, and what it asks | print |
-//! | `codegen` | routines into functions, structs and docs, a folder a language: Rust, C with FMI's XML, JavaScript | decide |
+//! | `codegen` | routines into functions, structs and docs, a folder a language: Rust, C with FMI's XML, structured text, JavaScript | decide |
 //! | `report` | what is proved of a solver, in numbers; `pipeline` alone asks for it | print |
 //!
 //! Imports point to earlier rooms only, and data flows one way: each phase takes the one before by
@@ -94,7 +94,7 @@ pub use diagnostics::{Diagnostic, Level};
 pub use ir::posing::{Conditions, GuardedValue, SoughtRoot};
 pub use pipeline::{
     DrawnPose, File, Options, Output, WrittenValue, c, compile, drawing, fmu, page, quantity,
-    report,
+    report, st,
 };
 pub use report::{
     BoundReport, EntryReport, LimitReport, OperationsReport, RangeReport, Report, ReportOptions,

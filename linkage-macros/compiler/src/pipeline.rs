@@ -1,16 +1,16 @@
 //! START HERE: the phases in order, each with what is true after it.
 
 mod parsed;
+mod printed;
 mod several_sets;
 mod written_values;
 
+pub use printed::{File, c, fmu, st};
 pub use written_values::{WrittenValue, quantity};
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 
 use crate::codegen::Drawing;
-use crate::codegen::c::provenance::{Prefix, Provenance, hash};
-use crate::codegen::c::selection::Selection;
 use crate::codegen::drawn_plan::PlanParts;
 use crate::codegen::script::page::PageParts;
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
@@ -99,54 +99,6 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
         }
         (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
     }
-}
-
-/// A file of printed code.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct File {
-    /// The name, without a folder.
-    pub name: String,
-    /// The whole text.
-    pub text: String,
-}
-
-/// Prints the solver of a declaration as C99: its header, its source, and the run-time that all mechanisms
-/// share. `only` names the entry points and widths to be printed, `motion_at` or `f32`; all of them where it names
-/// none. A `prefix`, `acme`, stands in front of all names that a linker sees, the run-time's too: the solvers of two
-/// suppliers, printed by two versions, stand in one program.
-///
-/// # Errors
-/// The mistakes in the declaration, in the order of the source, names that are none, and a prefix that is none.
-///
-/// ```
-/// let source = "pub struct Crank { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 2, angle: t } }";
-/// let tokens = source.parse().expect("these are tokens");
-/// let files = linkage_compiler::c(tokens, &["position"], None).expect("there is no mistake");
-/// assert_eq!(files[1].name, "crank.c");
-/// assert!(files[1].text.contains("LinkageStatus crank_position("));
-/// ```
-pub fn c(
-    source: TokenStream,
-    only: &[&str],
-    prefix: Option<&str>,
-) -> Result<Vec<File>, Vec<Diagnostic>> {
-    printed(source, only, prefix, |_, _, solver| solver)
-}
-
-/// Prints the solver of a declaration as an FMU of FMI 3.0, for model exchange and for co-simulation: the description
-/// of the model, and its sources. Where there is forward dynamics and not just kinematics is asked for, the inputs
-/// and their rates are states.
-///
-/// # Errors
-/// The mistakes in the declaration, in the order of the source.
-pub fn fmu(source: TokenStream, is_kinematic: bool) -> Result<Vec<File>, Vec<Diagnostic>> {
-    printed(source, &["f64"], None, |mechanism, lowered, solver| {
-        let model = codegen::c::fmu::generate(mechanism, lowered, is_kinematic);
-        let model = model.into_iter().map(|(name, text)| File { name, text });
-        let in_sources = |file: File| File { name: format!("sources/{}", file.name), ..file };
-        model.chain(solver.into_iter().map(in_sources)).collect()
-    })
 }
 
 /// The texts that the page of a declaration is made of: `linkage_core::sketch` puts them together.
@@ -241,44 +193,6 @@ fn understood(source: TokenStream) -> Result<(Mechanism, Vec<Diagnostic>), Vec<D
         (_, Err(Failure(diagnostics))) => Err(diagnostics),
         (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
     }
-}
-
-/// The files that `finish` makes of a mechanism, its routines and its solver in C.
-fn printed(
-    source: TokenStream,
-    only: &[&str],
-    prefix: Option<&str>,
-    finish: impl FnOnce(&Mechanism, &lower::routine::Lowered<'_>, Vec<File>) -> Vec<File>,
-) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let _atoms = AtomScope::begin();
-    let declaration = hash(&source);
-    let (mut mechanism, _) = understood(source)?;
-    let mut diagnostics = Diagnostics::new();
-    let prefix = prefix_of(&mechanism, prefix, &mut diagnostics);
-    let program = program(&mechanism);
-    let selection = Selection::of(&mechanism, &program, only, &mut diagnostics);
-    diagnostics.finish().map_err(|Failure(mistakes)| mistakes)?;
-    mechanism.name = prefix.named(&mechanism.name);
-    // The numbers of an entry point are the same whichever others are printed.
-    let program = selection.apply(program);
-    let lowered = lower::lower(&mechanism, &program);
-    let provenance = Provenance { mechanism: &mechanism, declaration, prefix };
-    let solver = codegen::c::generate(&mechanism, &lowered, &selection, &provenance);
-    let solver = solver.into_iter().map(|(name, text)| File { name, text }).collect();
-    Ok(finish(&mechanism, &lowered, solver))
-}
-
-/// The prefix of this text, where there is one.
-fn prefix_of(mechanism: &Mechanism, text: Option<&str>, diagnostics: &mut Diagnostics) -> Prefix {
-    let Some(text) = text else { return Prefix::default() };
-    Prefix::new(text).unwrap_or_else(|| {
-        diagnostics.error_because(
-            mechanism.name.span(),
-            format!("`{text}` is no prefix"),
-            "it is letters and digits behind a letter, such as `acme` or `acme_left`".to_string(),
-        );
-        Prefix::default()
-    })
 }
 
 /// The declaration, and what it means.

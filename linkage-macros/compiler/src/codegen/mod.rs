@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `rust` | the expansion of a declaration: structs, entry points, searches, sweeps |
 //! | `c` | the same functions in C99, their header, the run-time, and FMUs |
+//! | `st` | the fast path in structured text of IEC 61131-3, as function blocks |
 //! | `script` | the formulas in JavaScript, and the page that they move |
 //! | `drawn_plan`, `drawing` | what a mechanism is drawn by: as data, and in Rust |
 //! | `docs` | what documentation says of each item, and comments of headers |
@@ -21,6 +22,7 @@ mod identifiers;
 mod printer;
 mod rust;
 pub(crate) mod script;
+pub(crate) mod st;
 mod text;
 
 #[cfg(test)]

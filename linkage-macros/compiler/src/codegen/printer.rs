@@ -13,6 +13,12 @@ use crate::lower::routine::{
 /// A language that routines are printed in. Infix operators and their precedence are those that
 /// Rust, C and JavaScript share, and so is the call of a function.
 pub(super) trait Dialect: Sized {
+    /// The sign between a name and its value.
+    const ASSIGN: &'static str = " = ";
+
+    /// True if no two signs may stand side by side, and a product is added by signs.
+    const SIGNS_STAND_APART: bool = false;
+
     /// Words in front of a name that is bound once.
     fn binding(&self) -> &str;
 
@@ -27,6 +33,18 @@ pub(super) trait Dialect: Sized {
 
     /// Name of the function that computes an operation.
     fn function(&self, operation: Operation, to: &mut Text);
+
+    /// The name of a local, where the language allows not every one.
+    fn local(&self, name: String) -> String {
+        name
+    }
+
+    /// An operation as the call of its function.
+    fn call(printer: &Printer<'_, Self>, operation: Operation, operands: &[Id], to: &mut Text) {
+        printer.dialect.function(operation, to);
+        printer.values(operands, to.put("("));
+        to.put(")");
+    }
 
     /// `x` where a ≥ b, otherwise `y`.
     fn select(printer: &Printer<'_, Self>, operands: [Id; 4], to: &mut Text);
@@ -102,7 +120,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
     /// Binds the constants that the routine reads more than once.
     pub(super) fn constants(&self, to: &mut Text) {
         for (constant, name) in self.routine.constants.iter() {
-            to.put(self.dialect.binding()).put(name).put(" = ");
+            to.put(self.dialect.binding()).put(name).put(D::ASSIGN);
             self.dialect.constant(*constant, to);
             to.put(";\n");
         }
@@ -115,7 +133,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
     fn statement(&self, statement: &Instruction, to: &mut Text) {
         match statement {
             Instruction::Let(id) => {
-                to.put(self.dialect.binding()).put(&self.local(*id)).put(" = ");
+                to.put(self.dialect.binding()).put(&self.local(*id)).put(D::ASSIGN);
                 self.expression(self.node(*id), to);
                 to.put(";\n");
             }
@@ -140,7 +158,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
 
     /// Name of a value that a statement binds.
     pub(super) fn local(&self, id: Id) -> String {
-        self.routine.locals.name(id)
+        self.dialect.local(self.routine.locals.name(id))
     }
 
     fn node(&self, id: Id) -> Node {
@@ -201,13 +219,19 @@ impl<'a, D: Dialect> Printer<'a, D> {
         let is_infix = |id: Id| {
             let node = self.node(id);
             matches!(node, Node::Add(..) | Node::Sub(..) | Node::Mul(..) | Node::Div(..))
+                || D::SIGNS_STAND_APART && matches!(node, Node::Fused(..) | Node::Neg(_))
         };
-        match reading {
-            Reading::Nested(id) if is_infix(*id) => {
+        let is_apart = match reading {
+            Reading::Nested(id) => is_infix(*id),
+            Reading::Negated(_) => D::SIGNS_STAND_APART,
+            Reading::Leaf(_) | Reading::Constant(_) | Reading::Local(_) => false,
+        };
+        match is_apart {
+            true => {
                 self.read(reading, to.put("("));
                 to.put(")");
             }
-            _ => self.read(reading, to),
+            false => self.read(reading, to),
         }
     }
 
@@ -251,9 +275,7 @@ impl<'a, D: Dialect> Printer<'a, D> {
     }
 
     fn call(&self, operation: Operation, operands: &[Id], to: &mut Text) {
-        self.dialect.function(operation, to);
-        self.values(operands, to.put("("));
-        to.put(")");
+        D::call(self, operation, operands, to);
     }
 }
 

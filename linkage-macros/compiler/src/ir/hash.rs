@@ -207,6 +207,13 @@ impl<K> Default for Set<K> {
     }
 }
 
+impl<K: Hash + Eq + Copy> Set<K> {
+    /// The keys that are none of the others.
+    pub(crate) fn without(&self, others: &Self) -> Self {
+        self.0.keys().copied().filter(|key| !others.contains(key)).collect()
+    }
+}
+
 impl<K: Hash + Eq> FromIterator<K> for Set<K> {
     fn from_iter<I: IntoIterator<Item = K>>(keys: I) -> Self {
         Self(keys.into_iter().map(|key| (key, ())).collect())

@@ -15,8 +15,10 @@
 //! | `schedule` | the order of the statements |
 //! | `locals`, `constants`, `nesting` | the names of values, of constants, and which values have none |
 //! | `places` | where arguments are read |
+//! | `always_finite`, `room` | what is asked in front of each operation where a language knows no infinity |
 //! | `used` | what one path of a routine reads, and what a language without shadowing binds |
 
+pub(crate) mod always_finite;
 pub(crate) mod apart;
 mod build;
 mod checks;
@@ -29,6 +31,7 @@ mod overflow;
 pub(crate) mod places;
 mod plan;
 mod ranges;
+pub(crate) mod room;
 pub(crate) mod routine;
 mod schedule;
 mod searches;

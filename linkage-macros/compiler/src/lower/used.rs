@@ -25,10 +25,29 @@ pub(crate) struct Used {
 
 impl Used {
     pub(crate) fn on(lowered: &Lowered<'_>, routine: &Routine, asks: Asks) -> Self {
-        let mut walk = Backwards { lowered, routine, asks, used: Self::nothing() };
+        let walk = Backwards { lowered, routine, asks, used: Self::nothing() };
+        let sinks = routine.stages.iter().map(|stage| &stage.sinks[..]).collect::<Vec<_>>();
+        Self::backwards(walk, &sinks)
+    }
+
+    /// What the fast path of a stage reads for these results alone.
+    pub(crate) fn of_results(
+        lowered: &Lowered<'_>,
+        routine: &Routine,
+        stage: usize,
+        sinks: &[Id],
+    ) -> Self {
+        let walk = Backwards { lowered, routine, asks: Asks::Compares, used: Self::nothing() };
+        let mut of_stages = vec![&[][..]; stage];
+        of_stages.push(sinks);
+        Self::backwards(walk, &of_stages)
+    }
+
+    /// The walk over as many stages as there are lists of results.
+    fn backwards(mut walk: Backwards<'_>, sinks: &[&[Id]]) -> Self {
         let mut stages: Vec<Vec<Instruction>> = Vec::new();
-        for stage in routine.stages.iter().rev() {
-            stage.sinks.iter().for_each(|&sink| walk.value(sink));
+        for (stage, sinks) in walk.routine.stages.iter().zip(sinks).rev() {
+            sinks.iter().for_each(|&sink| walk.value(sink));
             let mut kept: Vec<Instruction> = Vec::new();
             for statement in stage.statements.iter().rev() {
                 if walk.needs(statement) {

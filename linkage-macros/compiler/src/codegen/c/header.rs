@@ -191,7 +191,7 @@ pub(in crate::codegen) fn type_of(interface: &Interface, shape: Shape, width: Wi
     }
 }
 
-fn about_field(mechanism: &Mechanism, subject: Subject) -> String {
+pub(in crate::codegen) fn about_field(mechanism: &Mechanism, subject: Subject) -> String {
     match subject {
         Subject::Input(index) => {
             let unit = unit(mechanism.inputs[index].dimension, Order::Position);

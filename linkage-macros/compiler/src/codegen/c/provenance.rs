@@ -35,7 +35,7 @@ impl Prefix {
     }
 
     /// The name of a file of the run-time, or of a function.
-    pub(super) fn in_front_of(&self, name: &str) -> String {
+    pub(in crate::codegen) fn in_front_of(&self, name: &str) -> String {
         if self.0.is_empty() { name.to_string() } else { format!("{}_{name}", self.0) }
     }
 

@@ -128,6 +128,16 @@ fn plain_source() -> &'static str {
     )
 }
 
+/// The word of a width that stands for a general one: a number, or a list of them.
+pub(in crate::codegen) fn spelling(width: Width, general: &str) -> &'static str {
+    let words = match width {
+        Width::Double => &DOUBLE,
+        Width::Single => &SINGLE,
+    };
+    let own = words.iter().find(|(word, _)| *word == general);
+    own.map(|(_, own)| *own).expect("it is a word of the run-time")
+}
+
 /// A text with the words of a width in the place of the general ones. `@` ends the names of functions and
 /// literals.
 fn of_width(text: &str, width: Width) -> String {

@@ -1,0 +1,128 @@
+//! Names in structured text: those of printed C wherever the language allows it.
+//!
+//! Upper and lower case are one, an underscore stands alone between letters or digits, and what the language or one of
+//! two large vendors has for itself is no name.
+
+use std::collections::HashSet;
+use std::sync::LazyLock;
+
+use crate::codegen::c::c_identifiers::ascii;
+
+static RESERVED: LazyLock<HashSet<&str>> = LazyLock::new(|| {
+    let lines = include_str!("reserved/words.txt").lines();
+    lines.filter(|line| !line.starts_with('#')).flat_map(str::split_whitespace).collect()
+});
+
+/// True if nothing can have the name: a keyword, a type or a function of the language or of a vendor, or a name of the
+/// run-time's.
+fn is_reserved(name: &str) -> bool {
+    let capitals = name.to_ascii_uppercase();
+    let is_a_conversion = capitals.split_once("_TO_").is_some_and(|(from, to)| {
+        RESERVED.contains(from) && RESERVED.contains(to) || from.is_empty()
+    });
+    is_a_conversion || RESERVED.contains(&capitals[..]) || capitals.starts_with("LINKAGE")
+}
+
+/// The names of one scope.
+#[derive(Clone, Default)]
+pub(super) struct Scope {
+    /// In capitals.
+    taken: HashSet<String>,
+}
+
+impl Scope {
+    /// A name of its own for this one, and the nearest to it.
+    pub(super) fn name(&mut self, wanted: &str) -> String {
+        let mut name = plain(wanted);
+        while is_reserved(&name) || self.taken.contains(&name.to_ascii_uppercase()) {
+            name = format!("v_{name}");
+        }
+        self.taken.insert(name.to_ascii_uppercase());
+        name
+    }
+
+    /// The names of a list, in its order.
+    pub(super) fn names<S: AsRef<str>>(
+        &mut self,
+        wanted: impl IntoIterator<Item = S>,
+    ) -> Vec<String> {
+        wanted.into_iter().map(|name| self.name(name.as_ref())).collect()
+    }
+}
+
+/// The name without underscores that stand in front, behind, or side by side. The words of a function of the language
+/// are written out.
+fn plain(name: &str) -> String {
+    match name {
+        "cos" => return "cosine".to_string(),
+        "sin" => return "sine".to_string(),
+        _ => {}
+    }
+    let name = ascii(name);
+    let words: Vec<&str> = name.split('_').filter(|word| !word.is_empty()).collect();
+    let joined = words.join("_");
+    if joined.starts_with(|first: char| first.is_ascii_alphabetic()) {
+        joined
+    } else {
+        format!("v_{joined}")
+    }
+}
+
+/// A text in quotation marks, of letters that a string of bytes holds.
+pub(super) fn quoted(text: &str) -> String {
+    let letter = |letter: char| match letter {
+        '\'' | '$' => ' ',
+        ' '..='~' => letter,
+        _ => '?',
+    };
+    // A string has room for 80 letters where nothing else is said.
+    format!("'{}'", text.chars().map(letter).take(80).collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_language_or_a_vendor_has_is_renamed() {
+        for (name, other) in [
+            ("blade", "blade"),
+            ("if", "v_if"),
+            ("End_If", "v_End_If"),
+            ("region", "v_region"),
+            ("sizeof", "v_sizeof"),
+            ("Title", "v_Title"),
+            ("R", "v_R"),
+            ("int_to_lreal", "v_int_to_lreal"),
+            ("to_real", "v_to_real"),
+            ("point_to_b", "point_to_b"),
+            ("cos", "cosine"),
+            ("sin", "sine"),
+            ("Sin", "v_Sin"),
+            ("linkage_det", "v_linkage_det"),
+            ("_B", "B"),
+            ("a__b_", "a_b"),
+            ("_2", "v_2"),
+            ("θ", "u03b8"),
+            ("v_if", "v_if"),
+        ] {
+            assert_eq!(Scope::default().name(name), other, "{name}");
+        }
+    }
+
+    #[test]
+    fn names_that_differ_by_case_or_underscores_alone_are_made_different() {
+        let names =
+            Scope::default().names(["blade", "Blade", "BLADE", "blade_", "v_blade", "if", "v_if"]);
+        let other =
+            ["blade", "v_Blade", "v_v_BLADE", "v_v_v_blade", "v_v_v_v_blade", "v_if", "v_v_if"];
+        assert_eq!(names, other);
+    }
+
+    #[test]
+    fn a_text_holds_letters_of_one_byte_and_no_sign_of_the_language() {
+        assert_eq!(quoted("BC, DC"), "'BC, DC'");
+        assert_eq!(quoted("it's 5$ θ"), "'it s 5  ?'");
+        assert_eq!(quoted(&"x".repeat(100)).len(), 82);
+    }
+}
