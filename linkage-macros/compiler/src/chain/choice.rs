@@ -27,16 +27,34 @@ struct Rated {
     score: f64,
 }
 
-/// The length of the motions that an interval holds, in steps.
-fn length(search: &SearchedGroup, ways: &[Way]) -> f64 {
-    let stretches = search.stretches.iter().zip(ways);
-    stretches.map(|([from, to], way)| (to - from) / way.step).sum()
+/// The motions that an interval holds.
+#[derive(Clone, Copy, Debug)]
+struct Motion {
+    /// The count of those that go on from the drawing both ways, and of inputs that move nothing.
+    going_on: usize,
+    /// In steps.
+    length: f64,
 }
 
-/// The count of motions that go on from the drawing both ways, and of inputs that move nothing.
-fn going_on(search: &SearchedGroup, ways: &[Way]) -> usize {
-    let stretches = search.stretches.iter().zip(ways);
-    stretches.filter(|(stretch, way)| way.rests() || is_inside(**stretch)).count()
+impl Motion {
+    fn of(stretches: &[[f64; 2]], ways: &[Way]) -> Self {
+        let of = || stretches.iter().zip(ways);
+        let going_on = of().filter(|(stretch, way)| way.rests() || is_inside(**stretch)).count();
+        Self { going_on, length: of().map(|([from, to], way)| (to - from) / way.step).sum() }
+    }
+
+    fn is_better_than(self, other: Self) -> bool {
+        match self.going_on == other.going_on {
+            true => self.length > 1.001 * other.length,
+            false => self.going_on > other.going_on,
+        }
+    }
+}
+
+impl SearchedGroup {
+    fn motion(&self, ways: &[Way]) -> Motion {
+        Motion::of(&self.stretches, ways)
+    }
 }
 
 /// The reasons why no option is chosen.
@@ -74,13 +92,14 @@ pub(super) fn chosen(
         let traces: Vec<_> =
             ways.iter().map(|way| Trace::of(machine, before, &search, way)).collect();
         ends &= traces.iter().any(Trace::ends_at_the_drawing);
+        let best_so_far = best.as_ref().map(|best| best.motion(&ways));
+        let whole: Vec<_> = traces.iter().map(Trace::whole).collect();
+        // An interval holds no more than its motions.
+        if best_so_far.is_some_and(|best| !Motion::of(&whole, &ways).is_better_than(best)) {
+            continue;
+        }
         let Some(found) = followed(machine, &traces, search, &ways) else { continue };
-        let is_better =
-            |best: &SearchedGroup| match (going_on(&found, &ways), going_on(best, &ways)) {
-                (now, before) if now != before => now > before,
-                _ => length(&found, &ways) > 1.001 * length(best, &ways),
-            };
-        if best.as_ref().is_none_or(is_better) {
+        if best_so_far.is_none_or(|best| found.motion(&ways).is_better_than(best)) {
             best = Some(found);
         }
     }
@@ -127,8 +146,8 @@ fn followed(
     let constant = with_constant_ends(machine, traces, &search, ways);
     match (constant, band) {
         (Some(constant), Some(band))
-            if length(&constant, ways) >= ENOUGH * band.length() / ways[0].step
-                && going_on(&constant, ways) >= usize::from(is_inside(band.stretch)) =>
+            if constant.motion(ways).length >= ENOUGH * band.length() / ways[0].step
+                && constant.motion(ways).going_on >= usize::from(is_inside(band.stretch)) =>
         {
             Some(constant)
         }
@@ -152,13 +171,14 @@ fn with_constant_ends(
 ) -> Option<SearchedGroup> {
     let growing = Growing::of(machine, traces, search)?;
     let found = growing.clone().grown()?;
-    if going_on(&found, ways) == ways.len() {
+    let going_on = |found: &SearchedGroup| found.motion(ways).going_on;
+    if going_on(&found) == ways.len() {
         return Some(found);
     }
     let mut evenly = growing;
     evenly.grow(1);
     let evenly = evenly.grown()?;
-    Some(if going_on(&evenly, ways) > going_on(&found, ways) { evenly } else { found })
+    Some(if going_on(&evenly) > going_on(&found) { evenly } else { found })
 }
 
 /// An interval of constant ends that grows with the stretches that it holds.
@@ -257,11 +277,12 @@ fn has_one_root<'m>(
     [low, high]: [f64; 2],
 ) -> bool {
     // The root that is followed is the only one: the equation has its sign on each side. At the root it has none.
-    let mut residual = trace.residuals(search, sample);
+    let (mut residual, rounding) =
+        (trace.residuals(search, sample), ROUNDING * search.unit(trace.machine));
     let is_on_its_side = |part: usize| {
         let unknown = low + (high - low) * part as f64 / PARTS as f64;
         let from_root = unknown - sample.unknown;
-        let is_root = from_root.abs() < ROUNDING * search.unit(trace.machine);
+        let is_root = from_root.abs() < rounding;
         residual(unknown).is_some_and(|residual| {
             is_root || (residual > 0.0) == ((from_root > 0.0) == search.rises)
         })

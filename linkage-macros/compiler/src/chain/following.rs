@@ -85,7 +85,14 @@ fn is_longer(band: &Band, other: Option<&Band>) -> bool {
 fn longest(trace: &Trace<'_>, rooms: &Rooms<'_, '_>) -> Option<Band> {
     let bent = if rooms.may_turn_back { &BENT[..] } else { &[] };
     let fits = FITS.iter().chain(bent);
-    let bands: Vec<_> = fits.filter_map(|&fit| fitted(trace, rooms, fit)).collect();
+    // No interval holds more than the whole motion.
+    let mut is_whole = false;
+    let bands = fits.map_while(|&fit| {
+        let band = if is_whole { return None } else { fitted(trace, rooms, fit) };
+        is_whole = band.as_ref().is_some_and(|band| band.stretch == trace.whole());
+        Some(band)
+    });
+    let bands: Vec<_> = bands.flatten().collect();
     let inside: Vec<_> = bands.iter().filter(|band| is_inside(band.stretch)).cloned().collect();
     let bands = if inside.is_empty() { bands } else { inside };
     let longest = bands.iter().map(Band::length).fold(0.0, f64::max);

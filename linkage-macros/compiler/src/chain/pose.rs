@@ -40,8 +40,11 @@ impl<'m> Posed<'m> {
     }
 
     fn pin(&self, pin: usize, given: &PoseChanges) -> Option<Complex> {
-        let known = |body: usize| Some((body, self.of[body]?));
-        let (body, displaced) = self.machine.at(pin).find_map(known)?;
+        let mut bodies = self.of.iter().zip(&self.machine.bodies).enumerate();
+        let (body, displaced) = bodies.find_map(|(body, (known, drawn))| {
+            let displaced = (*known)?;
+            drawn.pins.contains(&pin).then_some((body, displaced))
+        })?;
         Some(displaced.of(self.place(body, pin, given)))
     }
 
@@ -159,6 +162,18 @@ impl<'m> Posed<'m> {
         missed.is_finite().then_some(missed)
     }
 
+    /// The residual with the bodies that a search places as a trial, which is made of these poses anew.
+    pub(super) fn beside(
+        &self,
+        trial: &mut Self,
+        search: &SearchedGroup,
+        given: &mut PoseChanges,
+        unknown: f64,
+    ) -> Option<f64> {
+        trial.of.clone_from(&self.of);
+        trial.residual(search, given, unknown)
+    }
+
     /// The slope of the equation over the unknown.
     pub(super) fn slope(
         &self,
@@ -168,7 +183,8 @@ impl<'m> Posed<'m> {
     ) -> Option<f64> {
         // A part of the unit, so that a scaled drawing is the same.
         let step = 1e-6 * search.unit(self.machine);
-        let mut at = |unknown: f64| self.clone().residual(search, given, unknown);
+        let mut trial = self.clone();
+        let mut at = |unknown: f64| self.beside(&mut trial, search, given, unknown);
         Some((at(unknown + step)? - at(unknown - step)?) / (2.0 * step))
     }
 
@@ -181,14 +197,15 @@ impl<'m> Posed<'m> {
     ) -> Option<f64> {
         const STEPS: usize = 20;
         let mut unknown = start;
+        let (mut trial, unit) = (self.clone(), search.unit(self.machine));
         for _ in 0..STEPS {
-            let missed = self.clone().residual(search, given, unknown)?;
+            let missed = self.beside(&mut trial, search, given, unknown)?;
             let step = missed / self.slope(search, given, unknown)?;
             unknown -= step;
             if !unknown.is_finite() {
                 return None;
             }
-            if step.abs() < 1e-11 * search.unit(self.machine) {
+            if step.abs() < 1e-11 * unit {
                 self.residual(search, given, unknown)?;
                 return Some(unknown);
             }

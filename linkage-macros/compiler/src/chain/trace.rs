@@ -165,6 +165,15 @@ impl<'m> Trace<'m> {
         Self { machine, way, samples, drawn, closes: None }
     }
 
+    /// The ends of the motion; nothing where there is none.
+    pub(super) fn whole(&self) -> [f64; 2] {
+        match &self.samples[..] {
+            [first, .., last] => [first.drive, last.drive],
+            [only] => [only.drive; 2],
+            [] => [0.0; 2],
+        }
+    }
+
     /// True if the motion goes on one way alone, but for a thousandth.
     pub(super) fn ends_at_the_drawing(&self) -> bool {
         let [first, .., last] = &self.samples[..] else { return false };
@@ -179,7 +188,8 @@ impl<'m> Trace<'m> {
         sample: &'t Sample<'m>,
     ) -> impl FnMut(f64) -> Option<f64> + 't {
         let mut given = self.way.given(self.machine, sample.drive);
-        move |at| sample.before.clone().residual(search, &mut given, at)
+        let mut trial = sample.before.clone();
+        move |at| sample.before.beside(&mut trial, search, &mut given, at)
     }
 
     /// The width on both sides of a root on which everything assembles and the equation keeps its

@@ -15,7 +15,7 @@
 
 mod arguments;
 pub(crate) mod c;
-mod docs;
+pub(crate) mod docs;
 mod drawing;
 pub(crate) mod drawn_plan;
 mod identifiers;

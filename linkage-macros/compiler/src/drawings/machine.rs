@@ -1,5 +1,6 @@
 //! A machine of the tests, its drawing and its poses in any kind of number.
 
+use crate::codegen::docs::found_groups;
 use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
 use crate::ir::interpret::{Number, ProgramValues, interpret};
@@ -43,7 +44,7 @@ pub(super) fn documentation(mechanism: &Mechanism) -> String {
         },
         _ => String::new(),
     };
-    mechanism.all_docs().iter().map(line).collect::<Vec<_>>().join("\n")
+    found_groups::all_docs(mechanism).iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
 impl Machine {

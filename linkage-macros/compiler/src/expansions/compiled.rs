@@ -1,14 +1,11 @@
 //! What the pipeline makes of a declaration in several ways, read and derived once for all of them.
 
 use proc_macro2::TokenStream;
-use quote::quote;
-use syn::parse_quote;
 
 use super::parts;
 use crate::diagnostics::{Diagnostic, Diagnostics};
 use crate::exact::AtomScope;
 use crate::model;
-use crate::model::mechanism::Mechanism;
 use crate::pipeline::{Options, code, placing, program, read, stub, text};
 
 /// The stub that the declaration would have if it had mistakes, its solver, and the solver of the same declaration
@@ -24,19 +21,8 @@ pub(super) fn all(source: &TokenStream) -> [TokenStream; 3] {
     assert!(mistakes.is_empty(), "{mistakes:?}\n{source}");
     let (placing, program) = (placing(&mechanism), program(&mechanism));
     let solver = code(&mechanism, &program, None, &Options::NONE);
-    export(&mut mechanism);
+    mechanism.export_c = true;
     let text = text(&parts::exported(source));
     let exported = code(&mechanism, &program, Some((&placing, Some(&text))), &Options::PAGE);
     [stub(&declaration, &model::stub(&declaration), &Options::NONE), solver, exported]
-}
-
-/// What `export c;` at the end of a declaration changes: all of it is code, and a line of the groups found in a drawing.
-fn export(mechanism: &mut Mechanism) {
-    if std::mem::replace(&mut mechanism.export_c, true) {
-        return;
-    }
-    let end = quote!(#[doc = "     }"]).to_string();
-    if let Some(at) = mechanism.found.iter().rposition(|line| quote!(#line).to_string() == end) {
-        mechanism.found.insert(at, parse_quote!(#[doc = "         export c;"]));
-    }
 }

@@ -24,6 +24,10 @@ pub(crate) struct AsDrawn {
     pub searched: Vec<LinkId>,
     /// The angles of links in the drawing, with the turns that their drives count.
     pub angles: Vec<(LinkId, f64)>,
+    /// True if groups were found in a drawing.
+    pub is_found: bool,
+    /// The searches that groups of class III became, in the order of their unknowns.
+    pub searches: Vec<SearchFollowed>,
 }
 
 /// The whole turns that bring an angle to within half a turn. Half a turn backwards counts as one forwards, to more than
@@ -49,6 +53,22 @@ pub(crate) struct DrawnSlide {
     pub arm: [Scalar; 2],
     /// True for the guide that the link's statement names first, along which its slide is.
     pub is_first: bool,
+}
+
+/// An unknown, and how far the machine was followed with it.
+pub(crate) struct SearchFollowed {
+    pub unknown: Ident,
+    /// The name of what it is measured from, where that follows the drive.
+    pub traced: Option<Ident>,
+    pub stretches: Vec<Stretch>,
+}
+
+/// The ends to which a motion was followed, from the drawing.
+pub(crate) struct Stretch {
+    /// The input, where several drive the machine.
+    pub input: Option<Ident>,
+    pub ends: [f64; 2],
+    pub is_angle: bool,
 }
 
 /// The drive of a link that a group has the other way round: its effort is the opposite.

@@ -25,8 +25,6 @@ use crate::syntax::anatomy::Modes;
 
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
-    /// The groups that were found in a drawing, as documentation: nobody has written it.
-    pub found: Vec<Attribute>,
     pub visibility: Visibility,
     pub name: Ident,
     pub inputs: Vec<Input>,
@@ -84,16 +82,10 @@ pub(crate) enum PartOf {
 }
 
 impl Mechanism {
-    /// The words of the author, and what was found in a drawing.
-    pub(crate) fn all_docs(&self) -> Vec<Attribute> {
-        self.docs.iter().chain(&self.found).cloned().collect()
-    }
-
     /// An empty mechanism of this name.
     pub(crate) fn empty(docs: Vec<Attribute>, visibility: Visibility, name: Ident) -> Self {
         Self {
             docs,
-            found: Vec::new(),
             visibility,
             name,
             inputs: Vec::new(),

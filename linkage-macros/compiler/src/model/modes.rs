@@ -55,7 +55,7 @@ fn is_slide(group: &GroupStatement) -> bool {
 }
 
 /// The mode of two bars that stay opposite sides of a parallelogram. No parameter has it.
-pub(super) const PARALLEL: &str = "parallel";
+pub(crate) const PARALLEL: &str = "parallel";
 
 /// The word `parallel`, where it is the mode of a group that can have it.
 pub(super) fn parallel<'t>(

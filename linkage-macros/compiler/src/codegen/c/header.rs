@@ -77,7 +77,10 @@ fn has_forces(interface: &Interface) -> bool {
 
 fn about(mechanism: &Mechanism, solver: &str) -> String {
     let mut lines = vec![format!("{solver}, generated from its declaration in Rust; do not edit.")];
-    lines.extend(docs::own_lines(&mechanism.all_docs()).map(|line| line.trim().to_string()));
+    lines.extend(
+        docs::own_lines(&docs::found_groups::all_docs(mechanism))
+            .map(|line| line.trim().to_string()),
+    );
     lines.extend(
         [
             "",

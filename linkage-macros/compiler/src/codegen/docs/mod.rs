@@ -4,6 +4,7 @@
 pub(super) mod costs_in_words;
 pub(super) mod doc_comments;
 pub(super) mod force_docs;
+pub(crate) mod found_groups;
 mod groups_in_words;
 mod ranges_in_words;
 mod searches_in_words;
@@ -90,7 +91,7 @@ pub(super) fn solver(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStrea
     let costs = costs
         .map(|(entry, cost)| format!("`{}`: {}", entry.name(), costs_in_words::in_words(*cost)));
     page += &section("Cost of one call", costs.collect());
-    after(&mechanism.all_docs(), &page)
+    after(&found_groups::all_docs(mechanism), &page)
 }
 
 pub(super) fn param(mechanism: &Mechanism, param: &Param) -> TokenStream {

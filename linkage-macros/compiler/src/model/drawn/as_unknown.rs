@@ -10,6 +10,7 @@ use crate::syntax::tree::{
     Expr, ExprKind, GroupFieldValue, InputStatement, Solve, StatementKind, UnknownStatement,
 };
 
+use crate::model::as_drawn::{SearchFollowed, Stretch};
 use crate::model::drawn::bars::DrawnBar;
 use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::ends::RodEnd;
@@ -18,7 +19,6 @@ use crate::model::drawn::followed::{DrawnValues, Fitted, traced_names};
 use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::group_statement::group_of;
 use crate::model::drawn::writer::Writer;
-use crate::model::drawn::written::{Sought, Stretch};
 use crate::model::frames_of_groups::FramesOfGroups;
 
 impl Writer<'_, '_> {
@@ -30,10 +30,10 @@ impl Writer<'_, '_> {
             span: span.into(),
         };
         match self.searches.last() {
-            Some(Sought { unknown, traced: Some(traced), .. }) => {
+            Some(SearchFollowed { unknown, traced: Some(traced), .. }) => {
                 sum(named(unknown), named(traced))
             }
-            Some(Sought { unknown, .. }) => named(unknown),
+            Some(SearchFollowed { unknown, .. }) => named(unknown),
             None => named(&Ident::new("phi", span)),
         }
     }
@@ -61,7 +61,7 @@ impl Writer<'_, '_> {
         self.hide(unknown.clone(), &links.chain(held).collect::<Vec<_>>());
         let ends = search.between.map(|end| self.end(from + end, is_angle));
         let stretches = self.stretches(search);
-        let sought = Sought { unknown: unknown.clone(), traced, stretches };
+        let sought = SearchFollowed { unknown: unknown.clone(), traced, stretches };
         self.searches.push(sought);
         let kind = Ident::new(if is_angle { "angle" } else { "length" }, span);
         let (name, kind) = (unknown.clone(), Some(kind));

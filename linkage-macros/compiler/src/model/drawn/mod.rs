@@ -31,7 +31,6 @@ mod modes_as_drawn;
 mod motions;
 mod on_links;
 mod placed;
-pub(super) mod printed;
 mod rails;
 mod read_guides;
 mod reader;
@@ -52,17 +51,17 @@ use crate::syntax::tree::{
     Declaration, LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
 };
 
+use super::as_drawn::SearchFollowed;
 use super::mechanism::{Mechanism, References};
 use bodies::Bodies;
 use ends::RodEnd;
 use reader::Reader;
 use values::Measured;
-use written::Sought;
 
 /// The declaration of the groups of a drawing.
 struct Translation {
     tree: Declaration,
-    searches: Vec<Sought>,
+    searches: Vec<SearchFollowed>,
     links: DrawnLinks,
     ends: Vec<RodEnd>,
     /// True if drives hold links together.
@@ -87,12 +86,12 @@ fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
 
 /// The mechanism that a drawing means.
 pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
-    let mut cut = cut(tree, diagnostics)?;
+    let cut = cut(tree, diagnostics)?;
     let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.links)?;
     mechanism.references = References::of(tree);
     mechanism.drawn = cut.inputs;
-    modes_as_drawn::write_parallel(&mut cut.tree, &mechanism);
-    mechanism.found = printed::documentation(&cut.tree, &cut.searches);
+    mechanism.as_drawn.is_found = true;
+    mechanism.as_drawn.searches = cut.searches;
     if cut.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
         messages::report_held_reactions(tree, &mechanism, diagnostics);

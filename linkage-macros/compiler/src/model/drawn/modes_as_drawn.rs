@@ -1,21 +1,16 @@
 //! Modes that a drawing gives: those of groups that are declared by hand, where it says where their pins are, and the
 //! corners of what is drawn as a parallelogram.
 
-use std::collections::HashSet;
-
 use proc_macro2::Ident;
 
 use crate::chain::plane::Complex;
 use crate::syntax::anatomy::GroupSpec;
 use crate::syntax::tree::{
-    Declaration, Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Statement,
-    StatementKind,
+    Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Statement, StatementKind,
 };
 
 use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::messages::LEAST_SINE;
-use crate::model::mechanism::Mechanism;
-use crate::model::modes::PARALLEL;
 
 /// The statement with the mode of the drawing, where it leaves out one that it needs and all its pins are drawn off its
 /// limit.
@@ -115,24 +110,4 @@ fn corners_of_statement(bodies: &Bodies<'_>, statement: &Statement) -> Option<(I
     let pin = group.pin.as_ref()?;
     let pins = [place(first.joint.as_ref()?)?, place(pin)?, place(second.joint.as_ref()?)?];
     parallel(bodies, pins)
-}
-
-/// Writes the mode of groups that stay parallelograms into their statements.
-pub(super) fn write_parallel(tree: &mut Declaration, mechanism: &Mechanism) {
-    let of_groups = mechanism.group_steps().filter(|group| group.opposite().is_some());
-    let pins: HashSet<&Ident> = of_groups
-        .filter_map(|group| group.pin)
-        .map(|pin| &mechanism.points[pin.index()].name)
-        .collect();
-    for statement in &mut tree.statements {
-        let StatementKind::Group(group) = &mut statement.kind else { continue };
-        if group.pin.as_ref().is_none_or(|pin| !pins.contains(pin)) {
-            continue;
-        }
-        for field in group.fields.iter_mut().filter(|field| field.name == "mode") {
-            let span = field.name.span();
-            let word = ExprKind::Name(Ident::new(PARALLEL, span));
-            field.value = GroupFieldValue::One(Expr { kind: word, span: span.into() });
-        }
-    }
 }

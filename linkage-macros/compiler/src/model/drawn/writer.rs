@@ -7,6 +7,7 @@ use crate::chain::limits::sine;
 use crate::chain::machine::GROUND;
 use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, Statement, StatementKind};
 
+use crate::model::as_drawn::SearchFollowed;
 use crate::model::drawn::bars::DrawnBar;
 use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::ends::{self, RodEnd};
@@ -16,7 +17,7 @@ use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::free_names::FreeNames;
 use crate::model::drawn::group_statement::group_of;
 use crate::model::drawn::modes_as_drawn::{parallel, parallels, with_mode};
-use crate::model::drawn::written::{Sought, Written};
+use crate::model::drawn::written::Written;
 use crate::model::drawn::{is_point_of, sorted};
 use crate::model::drawn_links::DrawnLinks;
 use crate::model::frames_of_groups::FramesOfGroups;
@@ -25,7 +26,7 @@ use crate::model::frames_of_groups::FramesOfGroups;
 pub(super) struct Translated {
     pub statements: Vec<Statement>,
     pub links: DrawnLinks,
-    pub searches: Vec<Sought>,
+    pub searches: Vec<SearchFollowed>,
     /// The joints of links at which such blocks stand in for them.
     pub ends: Vec<RodEnd>,
     /// True if drives hold links together.
@@ -52,7 +53,7 @@ pub(super) struct Writer<'b, 't> {
     pub(super) counted: Vec<Option<f64>>,
     pub(super) written: Vec<Written>,
     /// The searches so far.
-    pub(super) searches: Vec<Sought>,
+    pub(super) searches: Vec<SearchFollowed>,
     /// The search whose statements are written, and behind which statement they stand.
     pub(super) searching: Option<(usize, usize)>,
     pub(super) names: FreeNames,

@@ -8,7 +8,6 @@ use crate::syntax::tree::{
 };
 
 use crate::model::acting::{Contact, Friction};
-use crate::model::as_written::text;
 use crate::model::mechanism::{Body, Carrier, Dimension, Drive, LinkId, PartOf, PointId};
 use crate::model::names::{Kind, listed};
 use crate::model::scope::Scope;
@@ -38,20 +37,6 @@ impl Rules for FrictionStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn written(&self) -> String {
-        let site = match &self.site {
-            FrictionSite::Pin(pin) => format!("at {pin}"),
-            FrictionSite::LinkAtPin(link, pin) => format!("on {link} at {pin}"),
-            FrictionSite::Slider(link) => format!("on {link}"),
-            FrictionSite::Between([a, b], pin) => format!("between {a} and {b} at {pin}"),
-        };
-        let Self { coefficient, radius, length, smooth, .. } = self;
-        let parts = [("radius", radius), ("length", length), ("smooth", smooth)].into_iter();
-        let parts =
-            parts.filter_map(|(word, part)| Some(format!(" {word} {}", text(part.as_ref()?))));
-        format!("friction {} {site}{};", text(coefficient), parts.collect::<String>())
     }
 
     fn expressions_mut(&mut self) -> Vec<&mut Expr> {

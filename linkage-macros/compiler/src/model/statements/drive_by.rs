@@ -28,10 +28,6 @@ impl Rules for DriveByStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         drive_by(scope, &self.input, &self.load);
     }
-
-    fn written(&self) -> String {
-        format!("drive {} by {};", self.input, self.load)
-    }
 }
 
 /// The load behind the first `by`.

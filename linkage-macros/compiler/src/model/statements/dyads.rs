@@ -8,7 +8,6 @@ use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
 use crate::syntax::tree::{self, Expr};
 use crate::syntax::words::built_by;
 
-use crate::model::as_written::braces;
 use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{GroupId, GroupName, PartOf, PointId, Step};
 use crate::model::names::{Entity, Kind};
@@ -53,16 +52,6 @@ impl Rules for tree::GroupStatement {
         let anatomy = GroupSpec::of(&self.keyword.to_string());
         let slides = anatomy.is_none_or(|anatomy| anatomy.slides().get(place) == Some(&true));
         Some(Entity::Link(declared::new_link(scope, docs, name, made_by, slides)))
-    }
-
-    fn written(&self) -> String {
-        let leg = |leg: &tree::Leg| match &leg.joint {
-            Some(joint) => format!("{}({joint})", leg.link),
-            None => leg.link.to_string(),
-        };
-        let legs: Vec<_> = self.legs.iter().map(leg).collect();
-        let pin = self.pin.iter().map(|pin| format!(" -> {pin}")).collect::<String>();
-        format!("{} {}{pin} {}", self.keyword, legs.join(", "), braces(self))
     }
 
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {

@@ -6,7 +6,6 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, ForceBetweenStatement, ForceStatement};
 
 use crate::model::acting::{Axes, Force};
-use crate::model::as_written::{pair, text};
 use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{Body, Carrier, Dimension, PointId};
 use crate::model::names::{Entity, Kind};
@@ -30,11 +29,6 @@ impl Rules for ForceStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn written(&self) -> String {
-        let axes = self.axes.iter().map(|axes| format!(" in {axes}")).collect::<String>();
-        format!("force {}{axes} on {};", pair(&self.value), self.on)
     }
 
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {
@@ -61,11 +55,6 @@ impl Rules for ForceBetweenStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn written(&self) -> String {
-        let [a, b] = &self.points;
-        format!("force {} between {a} and {b};", text(&self.value))
     }
 
     fn expressions_mut(&mut self) -> Vec<&mut Expr> {

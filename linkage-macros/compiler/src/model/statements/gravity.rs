@@ -5,7 +5,6 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Expr, GravityStatement};
 
-use crate::model::as_written::pair;
 use crate::model::mechanism::Dimension;
 use crate::model::numbers;
 use crate::model::scope::Scope;
@@ -18,10 +17,6 @@ impl Rules for GravityStatement {
 
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         gravity(scope, self.at, &self.value);
-    }
-
-    fn written(&self) -> String {
-        format!("gravity {};", pair(&self.value))
     }
 
     fn expressions_mut(&mut self) -> Vec<&mut Expr> {

@@ -10,7 +10,7 @@ use crate::model::mechanism::{Carrier, PartOf, Step};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
-use crate::model::{as_written, declared, numbers};
+use crate::model::{declared, numbers};
 
 impl Rules for GroundStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -32,10 +32,6 @@ impl Rules for GroundStatement {
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         declared::group_by_itself(scope, "point", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Ground)))
-    }
-
-    fn written(&self) -> String {
-        as_written::ground(&self.points)
     }
 }
 

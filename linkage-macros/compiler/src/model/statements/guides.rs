@@ -7,7 +7,6 @@ use crate::exact::Exact;
 use crate::reach::line::BodyLine;
 use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
-use crate::model::as_written::{self, pair, text};
 use crate::model::assembly::constants;
 use crate::model::facts::GuideFacts;
 use crate::model::frames_of_groups::FramesOfGroups;
@@ -68,20 +67,6 @@ impl Rules for GuideStatement {
         let facts = GuideFacts { moves: false, carrier, line: None, angle: None };
         scope.facts.guides.push(facts);
         Some(Entity::Guide(GuideId(guides.len() as u32 - 1)))
-    }
-
-    fn written(&self) -> String {
-        let through = match &self.through {
-            GuideAnchor::At(place) => pair(place),
-            GuideAnchor::Point(point) => point.to_string(),
-            GuideAnchor::Mistake => String::new(),
-        };
-        let course = match &self.course {
-            Course::Along(angle) => format!("along {}", text(angle)),
-            Course::Towards(point) => format!("towards {point}"),
-            Course::Mistake => String::new(),
-        };
-        format!("guide {}{} through {through} {course};", self.name, as_written::on(&self.on))
     }
 
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {

@@ -10,7 +10,7 @@ use crate::model::mechanism::{Dimension, Input, InputId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
-use crate::model::{as_written, uses};
+use crate::model::uses;
 
 impl Rules for InputStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -31,19 +31,11 @@ impl Rules for InputStatement {
         inputs.push(Input { name, docs, dimension: Dimension::NUMBER });
         Some(Entity::Input(InputId(inputs.len() as u32 - 1)))
     }
-
-    fn written(&self) -> String {
-        format!("input {}{};", as_written::names(&self.names), as_written::kind(&self.kind))
-    }
 }
 
 impl Rules for InputSetStatement {
     fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
         // A declaration with sets is resolved once a set, each with inputs of its own.
-    }
-
-    fn written(&self) -> String {
-        format!("input {} {{ … }}", self.name)
     }
 }
 

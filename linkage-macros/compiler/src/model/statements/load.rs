@@ -12,7 +12,7 @@ use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
 use crate::model::units::unit;
-use crate::model::{as_written, uses};
+use crate::model::uses;
 
 const LOAD_KINDS: [&str; 3] = ["force", "torque", "number"];
 
@@ -32,10 +32,6 @@ impl Rules for LoadStatement {
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let (name, docs) = (name.clone(), docs.to_vec());
         Some(new_load(scope, Load { name, docs, dimension: Dimension::NUMBER }))
-    }
-
-    fn written(&self) -> String {
-        format!("load {}{};", as_written::names(&self.names), as_written::kind(&self.kind))
     }
 }
 

@@ -7,7 +7,6 @@ use crate::diagnostics::Extent;
 use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassStatement};
 
 use crate::model::acting::{Magnitude, Mass, MassPlace};
-use crate::model::as_written::{pair, text};
 use crate::model::drawn_sliding;
 use crate::model::folding::shown;
 use crate::model::frames_of_groups::FramesOfGroups;
@@ -42,18 +41,6 @@ impl Rules for MassStatement {
         true
     }
 
-    fn written(&self) -> String {
-        let place = match &self.place {
-            Written::Here => String::new(),
-            Written::At(place) => format!(" at {}", pair(place)),
-            Written::Point(point) => format!(" at {point}"),
-            Written::Uniform(_) => " uniform".to_string(),
-        };
-        let inertia = self.inertia.iter().map(|inertia| format!(" inertia {}", text(inertia)));
-        let inertia: String = inertia.collect();
-        format!("mass {} on {}{place}{inertia};", text(&self.value), self.on)
-    }
-
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {
         self.value = shifts.expr(&self.value);
         self.inertia = self.inertia.as_ref().map(|inertia| shifts.expr(inertia));
@@ -79,10 +66,6 @@ impl Rules for InertiaStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn written(&self) -> String {
-        format!("inertia {} on {};", text(&self.value), self.on)
     }
 
     fn expressions_mut(&mut self) -> Vec<&mut Expr> {

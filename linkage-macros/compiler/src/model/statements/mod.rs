@@ -105,9 +105,6 @@ pub(super) trait Rules {
             *expr = shifts.expr(expr);
         }
     }
-
-    /// The statement as it is declared, for the documentation of a drawing.
-    fn written(&self) -> String;
 }
 
 macro_rules! by_kind {

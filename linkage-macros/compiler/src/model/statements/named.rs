@@ -5,7 +5,6 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Expr, LetStatement};
 
-use crate::model::as_written::text;
 use crate::model::facts::LetFacts;
 use crate::model::mechanism::{LawId, LetId};
 use crate::model::names::{Entity, Kind};
@@ -29,10 +28,6 @@ impl Rules for LetStatement {
 
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         named_expression(scope, &self.name, &self.value, self.moves(scope));
-    }
-
-    fn written(&self) -> String {
-        format!("let {} = {};", self.name, text(&self.value))
     }
 
     fn expressions_mut(&mut self) -> Vec<&mut Expr> {

@@ -12,7 +12,6 @@ use crate::syntax::tree::{
     Declaration, Expr, ExprKind, OutputItem, OutputStatement, StatementKind,
 };
 
-use crate::model::as_written::text;
 use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::link_efforts::MEMBERS;
 use crate::model::mechanism::{LinkId, OutputKind};
@@ -30,14 +29,6 @@ impl Rules for OutputStatement {
 
     fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
         // An output may name anything, wherever it stands: `outputs`.
-    }
-
-    fn written(&self) -> String {
-        let items = self.items.iter().map(|item| match &item.name {
-            Some(name) => format!("{name} = {}", text(&item.value)),
-            None => text(&item.value),
-        });
-        format!("output {};", items.collect::<Vec<_>>().join(", "))
     }
 
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {

@@ -7,7 +7,6 @@ use crate::exact::Exact;
 use crate::syntax::anatomy::Modes;
 use crate::syntax::tree::{Expr, ExprKind, ParamStatement};
 
-use crate::model::as_written::{self, text};
 use crate::model::dimension::Measure;
 use crate::model::facts::ParamFacts;
 use crate::model::mechanism::{Dimension, Param, ParamId, ParamKind, Sign};
@@ -52,11 +51,6 @@ impl Rules for ParamStatement {
         let (measure, span) = (Measure::NUMBER, self.default.span);
         scope.facts.params.push(ParamFacts { measure, span, blamed: true });
         Some(Entity::Param(ParamId(params.len() as u32 - 1)))
-    }
-
-    fn written(&self) -> String {
-        let (kind, default) = (as_written::kind(&self.kind), text(&self.default));
-        format!("param {}{kind} = {default};", self.name)
     }
 }
 

@@ -5,11 +5,11 @@ use syn::Attribute;
 
 use crate::syntax::tree::{DriveStatement, Expr, GroupStatement, LinkStatement, PinStatement};
 
+use crate::model::declared;
 use crate::model::mechanism::PartOf;
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
-use crate::model::{as_written, declared};
 
 impl Rules for PinStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -29,11 +29,6 @@ impl Rules for PinStatement {
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let by_itself = declared::group_by_itself(scope, "pin", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
-    }
-
-    fn written(&self) -> String {
-        // A pin of a group that is declared by hand.
-        as_written::ground(&self.points)
     }
 }
 
@@ -61,10 +56,6 @@ impl Rules for LinkStatement {
         let by_itself = declared::group_by_itself(scope, "link", name);
         Some(Entity::Link(declared::new_link(scope, docs, name, by_itself, slides)))
     }
-
-    fn written(&self) -> String {
-        String::new()
-    }
 }
 
 impl Rules for DriveStatement {
@@ -81,8 +72,4 @@ impl Rules for DriveStatement {
     }
 
     fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {}
-
-    fn written(&self) -> String {
-        String::new()
-    }
 }

@@ -7,7 +7,6 @@ use crate::exact::Exact;
 use crate::reach::{absolute, apex};
 use crate::syntax::tree::{self, Expr, Expr as Written, PointStatement};
 
-use crate::model::as_written::{self, pair};
 use crate::model::assembly::{constants, polar};
 use crate::model::folding::shown;
 use crate::model::frames_of_groups::FramesOfGroups;
@@ -49,18 +48,6 @@ impl Rules for PointStatement {
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let by_itself = declared::group_by_itself(scope, "point", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
-    }
-
-    fn written(&self) -> String {
-        let place = match &self.place {
-            tree::PointPlace::Cartesian(place) => format!("at {}", pair(place)),
-            tree::PointPlace::Polar(place) => format!("at polar {}", pair(place)),
-            tree::PointPlace::Distances(distances, side) => {
-                format!("at distances {} {side}", pair(distances))
-            }
-            tree::PointPlace::Mistake => String::new(),
-        };
-        format!("point {}{} {place};", self.name, as_written::on(&self.on))
     }
 
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {

@@ -14,30 +14,17 @@ impl Rules for NumericsStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         numerics(scope, &self.mode);
     }
-
-    fn written(&self) -> String {
-        format!("numerics {};", self.mode)
-    }
 }
 
 impl Rules for CrateStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         crate_path(scope, &self.path);
     }
-
-    fn written(&self) -> String {
-        let path = &self.path;
-        format!("crate = {};", quote::quote!(#path).to_string().replace(' ', ""))
-    }
 }
 
 impl Rules for ExportStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         export(scope, &self.language);
-    }
-
-    fn written(&self) -> String {
-        format!("export {};", self.language)
     }
 }
 

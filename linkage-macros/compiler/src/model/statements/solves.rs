@@ -7,7 +7,6 @@ use crate::diagnostics::nearest;
 use crate::syntax::anatomy::Modes;
 use crate::syntax::tree::{Expr, Solve};
 
-use crate::model::as_written::text;
 use crate::model::mechanism::{
     Dimension, Equation, Length, Mode, Operator, ParamKind, Scalar, UnknownId,
 };
@@ -38,15 +37,6 @@ impl Rules for Solve {
 
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         solve(scope, self);
-    }
-
-    fn written(&self) -> String {
-        let sides = self.equation.as_ref().map(|sides| sides.each_ref().map(text));
-        let [left, right] = sides.unwrap_or_default();
-        let mode = self.mode.iter().map(|mode| format!(", mode: {mode}"));
-        let near = self.near.iter().map(|near| format!(", near: {}", text(near)));
-        let fields: String = mode.chain(near).collect();
-        format!("solve {} {{ {left} = {right}{fields} }}", self.unknown)
     }
 
     fn expressions_mut(&mut self) -> Vec<&mut Expr> {

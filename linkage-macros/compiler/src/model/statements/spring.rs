@@ -7,7 +7,6 @@ use crate::syntax::anatomy::{FieldRule, GroupSpec, Pin, optional};
 use crate::syntax::tree::{Expr, GroupStatement, SpringStatement};
 
 use crate::model::acting::{Ends, Magnitude, Spring};
-use crate::model::as_written::{self, braces};
 use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{self, Carrier, Dimension, PointId, SpringId};
 use crate::model::names::{Entity, Kind};
@@ -77,11 +76,6 @@ impl Rules for SpringStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn written(&self) -> String {
-        let ([a, b], name) = (&self.ends, as_written::own_name(&self.name));
-        format!("spring{name} between {a} and {b} {}", braces(&self.fields))
     }
 
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {

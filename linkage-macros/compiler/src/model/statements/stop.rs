@@ -7,7 +7,7 @@ use crate::syntax::anatomy::{GroupSpec, Pin, needed, optional};
 use crate::syntax::tree::{Expr, StopStatement};
 
 use crate::model::acting::{Magnitude, Stop, Stopped};
-use crate::model::as_written::{self, braces, pair, text};
+use crate::model::as_written::text;
 use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{AngleSum, Dimension, Scalar, StopId};
 use crate::model::names::{Entity, Kind};
@@ -58,11 +58,6 @@ impl Rules for StopStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn written(&self) -> String {
-        let (name, of) = (as_written::own_name(&self.name), text(&self.of));
-        format!("stop{name} {of} between {} {}", pair(&self.ends), braces(&self.fields))
     }
 
     fn shift(&mut self, shifts: &dyn FramesOfGroups) {

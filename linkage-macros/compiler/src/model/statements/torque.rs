@@ -6,7 +6,6 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, TorqueBetweenStatement, TorqueStatement};
 
 use crate::model::acting::Torque;
-use crate::model::as_written::text;
 use crate::model::mechanism::{Carrier, Dimension, Scalar};
 use crate::model::scope::Scope;
 use crate::model::statements::{Rules, acts};
@@ -31,10 +30,6 @@ impl Rules for TorqueStatement {
         true
     }
 
-    fn written(&self) -> String {
-        format!("torque {} on {};", text(&self.value), self.on)
-    }
-
     fn expressions_mut(&mut self) -> Vec<&mut Expr> {
         vec![&mut self.value]
     }
@@ -56,11 +51,6 @@ impl Rules for TorqueBetweenStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn written(&self) -> String {
-        let [a, b] = &self.bodies;
-        format!("torque {} between {a} and {b};", text(&self.value))
     }
 
     fn expressions_mut(&mut self) -> Vec<&mut Expr> {

@@ -9,7 +9,7 @@ use crate::exact::Exact;
 use crate::reach::turn::Range;
 use crate::syntax::tree::{Declaration, Expr, UnknownStatement};
 
-use crate::model::as_written::{self, pair, text};
+use crate::model::as_written::text;
 use crate::model::folding::shown_in_degrees;
 use crate::model::kinds::{KINDS, quantity_kind};
 use crate::model::mechanism::{
@@ -37,11 +37,6 @@ impl Rules for UnknownStatement {
 
     fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         unknown(scope, docs, &self.name, self.kind.as_ref(), self.between.as_ref());
-    }
-
-    fn written(&self) -> String {
-        let ends = self.between.as_ref().map(pair).unwrap_or_default();
-        format!("unknown {}{} between {ends};", self.name, as_written::kind(&self.kind))
     }
 }
 
