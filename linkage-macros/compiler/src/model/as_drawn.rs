@@ -18,8 +18,8 @@ pub(crate) struct AsDrawn {
     pub drives: Vec<DrawnDrive>,
     /// Joints between links, which are bodies without mass of their own whichever link a group makes them with.
     pub joints: Vec<PointId>,
-    /// The links whose frame is turned against that of their group, and the angle.
-    pub turns: Vec<(LinkId, Scalar)>,
+    /// The links whose groups gave them other frames than their statements.
+    pub frames: Vec<FrameShift>,
     /// The links that unknowns of searches turn.
     pub searched: Vec<LinkId>,
     /// The angles of links in the drawing, with the turns that their drives count.
@@ -53,6 +53,39 @@ pub(crate) struct DrawnSlide {
     pub arm: [Scalar; 2],
     /// True for the guide that the link's statement names first, along which its slide is.
     pub is_first: bool,
+}
+
+/// The frame in which a link is written, in that of its group.
+pub(crate) struct FrameShift {
+    pub link: LinkId,
+    /// Its angle, where it is turned.
+    pub angle: Option<Scalar>,
+    /// The cosine and the sine of that angle.
+    pub axis: [Scalar; 2],
+    pub origin: [Scalar; 2],
+    /// True if it begins at the other end of a bar.
+    pub is_reversed: bool,
+}
+
+impl FrameShift {
+    /// Components along the axes of the group's frame.
+    pub(in crate::model) fn components(&self, [x, y]: [Scalar; 2]) -> [Scalar; 2] {
+        if self.angle.is_none() {
+            return [x, y];
+        }
+        let [cos, sin] = self.axis.clone();
+        [
+            cos.clone().times(x.clone()).minus(sin.clone().times(y.clone())),
+            sin.times(x).plus(cos.times(y)),
+        ]
+    }
+
+    /// Coordinates in the group's frame.
+    pub(in crate::model) fn place(&self, local: [Scalar; 2]) -> [Scalar; 2] {
+        let [x, y] = self.components(local);
+        let [dx, dy] = self.origin.clone();
+        [dx.plus(x), dy.plus(y)]
+    }
 }
 
 /// An unknown, and how far the machine was followed with it.

@@ -1,18 +1,24 @@
-//! The joints of a drawing in the mechanism of its groups: what slides, what is driven, and the directions of frames, each
+//! The joints of a drawing in the mechanism of its groups: what slides, what is driven, and the frames of links, each
 //! as its statement says, whatever group has it.
 
 use proc_macro2::Ident;
 
-use crate::model::as_drawn::{DrawnDrive, DrawnSlide};
-use crate::model::drawn_links::TurnedFrame;
+use crate::model::as_drawn::{DrawnDrive, DrawnSlide, FrameShift};
+use crate::model::drawn_links::FrameFound;
+use crate::model::mechanism::{Dimension, LinkId};
 use crate::model::names::Entity;
 use crate::model::numbers;
 use crate::model::parts_of_groups::Parts;
 use crate::model::scope::Scope;
 
-/// The slides whose joints a group has made, once it is made.
+/// The frames of links that a group has made, and the slides whose joints it has, once it is made.
 pub(in crate::model) fn joints_are_as_drawn(scope: &mut Scope<'_>, parts: &Parts) {
     let Some(drawn) = scope.drawn else { return };
+    for found in &drawn.frames {
+        let made = parts.group.legs.iter().position(|leg| leg.link == found.link);
+        let shift = made.and_then(|leg| parts.link(leg)).and_then(|link| shift(scope, link, found));
+        scope.mechanism.as_drawn.frames.extend(shift);
+    }
     for slide in &drawn.slides {
         let made = parts.group.legs.iter().position(|leg| leg.link == slide.by);
         let by = made.and_then(|leg| parts.link(leg));
@@ -30,7 +36,19 @@ pub(in crate::model) fn joints_are_as_drawn(scope: &mut Scope<'_>, parts: &Parts
     }
 }
 
-/// The drives and the directions of frames, once all links are made.
+/// The written frame of a link in that of its group.
+fn shift(scope: &mut Scope<'_>, link: LinkId, found: &FrameFound) -> Option<FrameShift> {
+    let angle = match &found.angle {
+        Some(angle) => Some(numbers::plain_angle(scope, angle)?),
+        None => None,
+    };
+    let [cos, sin] =
+        found.axis.each_ref().map(|part| numbers::scalar(scope, part, Dimension::NUMBER));
+    let origin = numbers::lengths(scope, &found.origin)?;
+    Some(FrameShift { link, angle, axis: [cos?, sin?], origin, is_reversed: found.is_reversed })
+}
+
+/// The drives, once all links are made.
 pub(in crate::model) fn links_are_as_drawn(scope: &mut Scope<'_>) {
     let Some(drawn) = scope.drawn else { return };
     let joints = drawn.joints.iter().filter_map(|name| match scope.names.entity(name) {
@@ -49,12 +67,6 @@ pub(in crate::model) fn links_are_as_drawn(scope: &mut Scope<'_>) {
     for [driven, by] in &drawn.drives {
         if let (Some(driven), Some(by)) = (link(driven, scope), link(by, scope)) {
             scope.mechanism.as_drawn.drives.push(DrawnDrive { link: driven, by });
-        }
-    }
-    for TurnedFrame { link: name, angle, .. } in &drawn.turned {
-        let Some(link) = link(name, scope) else { continue };
-        if let Some(turn) = numbers::plain_angle(scope, angle) {
-            scope.mechanism.as_drawn.turns.push((link, turn));
         }
     }
 }

@@ -1,10 +1,12 @@
 //! The links of a drawing as groups have made them.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::Expr;
+use crate::syntax::tree::{Expr, GroupStatement};
+
+use crate::model::mechanism::Sign;
 
 /// The links of a drawing as groups have made them.
 #[derive(Default)]
@@ -15,7 +17,17 @@ pub(in crate::model) struct DrawnLinks {
     pub names: Vec<Ident>,
     /// Links and unknowns among them, and the links of the drawing that each stands for.
     pub hidden: Vec<(Ident, Vec<Ident>)>,
-    pub turned: Vec<TurnedFrame>,
+    /// The links whose groups gave them other frames than their statements.
+    pub frames: Vec<FrameFound>,
+    /// Pins and guides whose places are told in the frames of groups.
+    pub placed: HashSet<Ident>,
+    pub guides: Vec<GuideFound>,
+    /// The lengths between the first two pins of links that no group has as a bar between them.
+    pub lengths: Vec<(Ident, Expr)>,
+    /// The modes of groups that leave theirs to the drawing, by their first links.
+    pub modes: Vec<(Ident, Sign)>,
+    /// Joints of links at which blocks stand in for them.
+    pub ends: Vec<RodEnd>,
     /// Pins between links.
     pub joints: Vec<Ident>,
     pub bars: Vec<BarFound>,
@@ -32,10 +44,30 @@ pub(in crate::model) struct DrawnLinks {
     pub drives: Vec<[Ident; 2]>,
 }
 
-/// A link whose frame is turned against that of its group, and the angle.
-pub(in crate::model) struct TurnedFrame {
+/// The frame in which a link is written, in that of its group: see [`FrameShift`].
+///
+/// [`FrameShift`]: crate::model::as_drawn::FrameShift
+pub(in crate::model) struct FrameFound {
     pub link: Ident,
-    pub angle: Expr,
+    pub angle: Option<Expr>,
+    pub axis: [Expr; 2],
+    pub origin: [Expr; 2],
+    pub is_reversed: bool,
+}
+
+/// A guide through points that the groups have not made of its body, in the written frame of that: what the drawing says
+/// in their place.
+pub(in crate::model) struct GuideFound {
+    pub guide: Ident,
+    pub through: Option<[Expr; 2]>,
+    pub along: Option<Expr>,
+}
+
+/// A joint of a link at which a block stands in for it.
+pub(in crate::model) struct RodEnd {
+    pub block: Ident,
+    pub link: Ident,
+    pub pin: Ident,
 }
 
 /// A slide as it is drawn, by the joint of a group: see [`DrawnSlide`].
@@ -69,5 +101,26 @@ impl DrawnLinks {
     /// The slide that a link is known by: that on the first guide of its statement.
     pub(super) fn slide_of(&self, link: &Ident) -> Option<&SlideFound> {
         self.slides.iter().find(|slide| slide.link == *link && slide.is_first)
+    }
+
+    /// What the drawing says of a guide.
+    pub(super) fn guide(&self, name: &Ident) -> Option<&GuideFound> {
+        self.guides.iter().find(|found| found.guide == *name)
+    }
+
+    /// The length between the first two pins of a link, where no group has it as a bar between them.
+    pub(super) fn length_of(&self, link: &Ident) -> Option<&Expr> {
+        self.lengths.iter().find(|(known, _)| known == link).map(|(_, length)| length)
+    }
+
+    /// The mode of a group that leaves it to the drawing.
+    pub(super) fn mode_of(&self, group: &GroupStatement) -> Option<Sign> {
+        let first = &group.legs.first()?.link;
+        self.modes.iter().find(|(link, _)| link == first).map(|(_, mode)| *mode)
+    }
+
+    /// The block that stands in for a link at a joint.
+    pub(super) fn end_of(&self, link: &Ident, pin: &Ident) -> Option<&RodEnd> {
+        self.ends.iter().find(|end| end.link == *link && end.pin == *pin)
     }
 }

@@ -1,7 +1,7 @@
 //! Slides, drives and directions of links, read from what is drawn of them.
 
-use super::as_drawn::{DrawnSlide, whole_turns};
-use super::mechanism::{Drive, LinkId, Mechanism, PointId, Scalar};
+use super::as_drawn::{DrawnSlide, FrameShift, whole_turns};
+use super::mechanism::{AngleSum, Carrier, Drive, LinkId, Mechanism, PointId, Scalar};
 
 impl Mechanism {
     /// The slide of the drawing that is the joint by which a link slides in its group.
@@ -22,7 +22,29 @@ impl Mechanism {
 
     /// The angle of a link's frame against that of its group, where they differ.
     pub(crate) fn turn_of(&self, link: LinkId) -> Option<&Scalar> {
-        self.as_drawn.turns.iter().find(|(turned, _)| *turned == link).map(|(_, turn)| turn)
+        self.frame_shift(Carrier::Link(link))?.angle.as_ref()
+    }
+
+    /// The written frame of a body, where its group gave it another one.
+    pub(in crate::model) fn frame_shift(&self, body: Carrier) -> Option<&FrameShift> {
+        let Carrier::Link(link) = body else { return None };
+        self.as_drawn.frames.iter().find(|shift| shift.link == link)
+    }
+
+    /// An angle against the written frame of a body as one against that of its group.
+    pub(in crate::model) fn turned(&self, body: Carrier, angle: AngleSum) -> AngleSum {
+        match self.frame_shift(body).and_then(|shift| shift.angle.clone()) {
+            Some(turn) => AngleSum { rest: angle.rest.plus(turn), ..angle },
+            None => angle,
+        }
+    }
+
+    /// Coordinates in the written frame of a body as those in that of its group.
+    pub(in crate::model) fn placed(&self, body: Carrier, local: [Scalar; 2]) -> [Scalar; 2] {
+        match self.frame_shift(body) {
+            Some(shift) => shift.place(local),
+            None => local,
+        }
     }
 
     /// The turns that bring a sum of links' angles to within half a turn in the drawing, where the drive of one of them

@@ -64,6 +64,26 @@ impl Scalar {
         })
     }
 
+    /// The sum.
+    pub(super) fn plus(self, other: Self) -> Self {
+        self.combined(Operator::Add, other).expect("only a quotient may have no value")
+    }
+
+    /// The difference.
+    pub(super) fn minus(self, other: Self) -> Self {
+        self.combined(Operator::Sub, other).expect("only a quotient may have no value")
+    }
+
+    /// The product, without factors of zero and one.
+    pub(super) fn times(self, other: Self) -> Self {
+        let is_one = |value: &Self| value.constant().is_some_and(Exact::is_one);
+        match () {
+            () if self.is_zero() || is_one(&other) => self,
+            () if other.is_zero() || is_one(&self) => other,
+            () => self.combined(Operator::Mul, other).expect("only a quotient may have no value"),
+        }
+    }
+
     /// The function of the arguments; `None` where constants have no value.
     pub(super) fn call(function: Function, arguments: Vec<Self>) -> Option<Self> {
         let constants: Option<Vec<_>> = arguments.iter().map(Self::constant).collect();

@@ -68,12 +68,17 @@ pub(super) fn jointed(scope: &mut Scope<'_>, parts: &Parts) -> Option<Group> {
 
 fn dimensions(scope: &mut Scope<'_>, parts: &Parts) -> Dimensions {
     let (fields, lengths) = (&parts.fields, lengths_of_bars(scope, parts));
+    let angle = fields.one("angle").and_then(|angle| numbers::turn(scope, angle));
+    let relative_to = match fields.one("relative_to") {
+        Some(value) => relative_to_is_a_body(scope, value),
+        None => fields.is_left_out("relative_to").then_some(Carrier::Ground),
+    };
     Dimensions {
-        angle: fields.one("angle").and_then(|angle| numbers::turn(scope, angle)),
-        relative_to: match fields.one("relative_to") {
-            Some(value) => relative_to_is_a_body(scope, value),
-            None => fields.is_left_out("relative_to").then_some(Carrier::Ground),
-        },
+        angle: angle.map(|angle| match relative_to {
+            Some(body) => scope.mechanism.turned(body, angle),
+            None => angle,
+        }),
+        relative_to,
         slide: fields.one("slide").and_then(|slide| numbers::length(scope, slide)),
         slot: fields.one("slot").and_then(|slot| numbers::turn(scope, slot)),
         offsets: offsets(scope, parts),

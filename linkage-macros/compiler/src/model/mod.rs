@@ -51,7 +51,6 @@ mod fields;
 mod findings;
 mod fits;
 mod folding;
-mod frames_of_groups;
 mod given;
 mod ids;
 mod incidence;

@@ -191,12 +191,15 @@ fn member_of_link(
 ) -> Option<ResolvedExpr> {
     let link = uses::link(scope, owner);
     match member.to_string().as_str() {
-        "angle" => Some(ResolvedExpr {
-            measure: Measure::ANGLE,
-            links: vec![(link?, 1)],
-            rest: Scalar::zero(),
-            reads: Reads::default(),
-        }),
+        "angle" => {
+            let turn = scope.mechanism.turn_of(link?).cloned();
+            Some(ResolvedExpr {
+                measure: Measure::ANGLE,
+                links: vec![(link?, 1)],
+                rest: turn.unwrap_or_else(Scalar::zero),
+                reads: Reads::default(),
+            })
+        }
         "slide" => {
             link_slides(scope, owner, link?, member)?;
             let by = drawn_sliding::slides_by(scope, owner, link?)?;

@@ -13,13 +13,12 @@ use crate::syntax::tree::{
 use crate::model::as_drawn::{SearchFollowed, Stretch};
 use crate::model::drawn::bars::DrawnBar;
 use crate::model::drawn::bodies::Bodies;
-use crate::model::drawn::ends::RodEnd;
 use crate::model::drawn::figures::sum;
 use crate::model::drawn::followed::{DrawnValues, Fitted, traced_names};
 use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::group_statement::group_of;
 use crate::model::drawn::writer::Writer;
-use crate::model::frames_of_groups::FramesOfGroups;
+use crate::model::drawn_links::RodEnd;
 
 impl Writer<'_, '_> {
     /// The unknown that drives a body.
@@ -48,7 +47,7 @@ impl Writer<'_, '_> {
         let unknown = self.free_name(span);
         let drawn = self.drawn(&search.steps[0]);
         let traced = search.following.as_ref().and_then(|following| {
-            let drive = self.turns.expr(&self.bodies.drives.first()?.1.value);
+            let drive = self.bodies.drives.first()?.1.value.clone();
             let drawn = DrawnValues { drive: self.bodies.drawn_value(0)?, unknown: drawn };
             let names = traced_names(&mut self.names, &unknown);
             let fitted = Fitted { pen: &self.pen, following, drive, drawn, is_angle };
@@ -229,7 +228,7 @@ impl Writer<'_, '_> {
         self.hide(name.clone(), &[]);
         if let Pair::Pin(pin) = at {
             let (link, pin) = (self.name(body).clone(), self.bodies.pins[pin].name.clone());
-            self.ends.push(RodEnd { block: name.clone(), link, pin });
+            self.links.ends.push(RodEnd { block: name.clone(), link, pin });
         }
         name
     }

@@ -3,30 +3,8 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{ExprKind, OutputStatement, Statement, StatementKind};
-
 use crate::model::acting::{Effort, RequestedEffort};
-
-/// A joint of a link at which a block stands in for it.
-pub(super) struct RodEnd {
-    pub block: Ident,
-    pub link: Ident,
-    pub pin: Ident,
-}
-
-/// The statement with the force at such a joint asked of the block.
-pub(super) fn renamed(ends: &[RodEnd], mut statement: Statement) -> Statement {
-    let StatementKind::Output(OutputStatement { items, .. }) = &mut statement.kind else {
-        return statement;
-    };
-    for item in items {
-        let ExprKind::Member(owner, member) = &mut item.value.kind else { continue };
-        if let Some(end) = ends.iter().find(|end| end.link == *owner && end.pin == *member) {
-            *owner = Ident::new(&end.block.to_string(), owner.span());
-        }
-    }
-    statement
-}
+use crate::model::drawn_links::RodEnd;
 
 /// The efforts of blocks as those of their links; what lies between the two is not asked for.
 pub(super) fn as_of_links(ends: &[RodEnd], asked: Vec<RequestedEffort>) -> Vec<RequestedEffort> {

@@ -217,11 +217,6 @@ impl Pen {
         self.made((value, a.power), folded(a, b, Exact::hypot), || self.call("hypot", &[a, b]))
     }
 
-    /// The length whose square is given.
-    pub(super) fn side(&self, square: &Figure) -> Figure {
-        Figure::length(root_of(square.text.clone(), self.at), square.value.powf(0.5), None)
-    }
-
     pub(super) fn cos(&self, angle: &Figure) -> Figure {
         let exact = angle.exact.as_ref().map(Exact::cos);
         self.made((angle.value.cos(), 0), exact, || self.call("cos", &[angle]))

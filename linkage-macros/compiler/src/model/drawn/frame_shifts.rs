@@ -1,46 +1,32 @@
-//! Links whose group gave them another frame than their statement: what else is written in their frames is
-//! shifted to those of the groups, a statement by its own rules.
+//! Links whose group gave them another frame than their statement: what else is written in their frames stands in those
+//! of the groups by the shifts between the two.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::exact::Exact;
-use crate::syntax::tree::{
-    Course, Expr, ExprKind, GuideAnchor, GuideStatement, PointPlace, Statement,
-};
+use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement, StatementKind};
 
 use crate::model::drawn::bodies::{Bodies, GuideLine};
-use crate::model::drawn::figures::{Figure, Pen, sum};
+use crate::model::drawn::figures::{Figure, Pen};
 use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
-use crate::model::drawn_links::TurnedFrame;
-use crate::model::frames_of_groups::FramesOfGroups;
-use crate::model::statements::rules_mut;
+use crate::model::drawn_links::{FrameFound, GuideFound};
 
-/// The written frame of a link in that of its group.
-struct FrameShift {
-    link: Ident,
-    /// Its angle, where it is turned.
-    angle: Option<Figure>,
-    /// The cosine and the sine of that angle.
-    axis: [Figure; 2],
-    origin: [Expr; 2],
-    is_reversed: bool,
-}
-
-/// Those of all such links of a drawing.
+/// The links of a drawing whose group gave them another frame.
 pub(super) struct FrameShifts<'b, 't> {
     bodies: &'b Bodies<'t>,
     pen: Pen,
-    by_link: HashMap<String, FrameShift>,
+    /// Each with the angle of its frame against that of its group, in the drawing.
+    turned: Vec<(FrameFound, f64)>,
     /// Links, each with a pin that their group gives them.
     joined: HashSet<[String; 2]>,
 }
 
 impl<'b, 't> FrameShifts<'b, 't> {
     pub(super) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
-        Self { bodies, pen: pen.clone(), by_link: HashMap::new(), joined: HashSet::new() }
+        Self { bodies, pen: pen.clone(), turned: Vec::new(), joined: HashSet::new() }
     }
 
     /// Remembers that a link's group gives it a pin.
@@ -104,13 +90,15 @@ impl<'b, 't> FrameShifts<'b, 't> {
             }
             _ => own.local(&pen, &written.origin).map(|number| number.text),
         };
-        let turn = FrameShift { link: link.clone(), angle, axis, origin, is_reversed };
-        self.by_link.insert(link.to_string(), turn);
+        let turn = angle.as_ref().map_or(0.0, |angle| angle.value);
+        let (angle, axis) = (angle.map(|angle| angle.text), axis.map(|part| part.text));
+        let found = FrameFound { link: link.clone(), angle, axis, origin, is_reversed };
+        self.turned.push((found, turn));
     }
 
     /// The near end of a declared length, from the far end in a frame in which the link has this direction.
     pub(super) fn near_end(&self, pen: &Pen, length: &Expr, axis: &[Figure; 2]) -> [Expr; 2] {
-        let length = Figure::length(self.expr(length), f64::NAN, None);
+        let length = Figure::length(length.clone(), f64::NAN, None);
         match axis[0].exact.as_ref().and_then(Exact::to_integer) {
             Some(-1) => [length.text, pen.zero().text],
             Some(1) => [length.text.negated(), pen.zero().text],
@@ -118,139 +106,49 @@ impl<'b, 't> FrameShifts<'b, 't> {
         }
     }
 
-    /// The links whose directions are other ones.
-    pub(super) fn directions(self) -> Vec<TurnedFrame> {
-        let turned = self.by_link.into_values();
-        let turned = turned.filter_map(|FrameShift { link, angle, .. }| {
-            Some(TurnedFrame { link, angle: angle?.text })
+    /// What the drawing says of guides in place of points that the groups have not made of their bodies.
+    pub(super) fn guides(&self) -> Vec<GuideFound> {
+        let guides = self.bodies.other_statements().filter_map(|(_, statement)| {
+            let StatementKind::Guide(guide) = &statement.kind else { return None };
+            let (through, along) = (self.through(guide), self.along(guide));
+            let is_found = through.is_some() || along.is_some();
+            is_found.then(|| GuideFound { guide: guide.name.clone(), through, along })
         });
-        let mut turned: Vec<_> = turned.collect();
-        turned.sort_by_key(|turned| turned.link.to_string());
-        turned
-    }
-
-    /// The angle of a link's frame against that of its group, in the drawing.
-    pub(super) fn turn_of(&self, link: &Ident) -> f64 {
-        let turn = self.of(link).and_then(|turn| turn.angle.as_ref());
-        turn.map_or(0.0, |turn| turn.value)
-    }
-
-    fn of(&self, link: &Ident) -> Option<&FrameShift> {
-        self.by_link.get(&link.to_string())
-    }
-
-    /// The statement with everything in the frames of groups.
-    pub(super) fn statement(&self, statement: &Statement) -> Statement {
-        let mut shifted = statement.clone();
-        rules_mut(&mut shifted).shift(self);
-        shifted
-    }
-}
-
-impl FramesOfGroups for FrameShifts<'_, '_> {
-    fn expr(&self, expr: &Expr) -> Expr {
-        expr.replaced(&|part| match &part.kind {
-            ExprKind::Member(link, member) if member == "angle" => {
-                Some(self.added(link, part.clone()))
-            }
-            _ => None,
-        })
-    }
-
-    fn added(&self, link: &Ident, angle: Expr) -> Expr {
-        match self.of(link).and_then(|turn| turn.angle.as_ref()) {
-            Some(turn) => sum(angle, turn.text.clone()),
-            None => angle,
-        }
-    }
-
-    fn components(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
-        let local = self.pair(local);
-        let Some(turn) = self.of(link).filter(|turn| turn.angle.is_some()) else { return local };
-        let pen = self.pen.at(link.span());
-        let [x, y] = local.map(|text| Figure::length(text, f64::NAN, None));
-        let [cos, sin] = &turn.axis;
-        [
-            pen.sub(&pen.mul(cos, &x), &pen.mul(sin, &y)).text,
-            pen.add(&pen.mul(sin, &x), &pen.mul(cos, &y)).text,
-        ]
-    }
-
-    fn place(&self, link: &Ident, local: &[Expr; 2]) -> [Expr; 2] {
-        let turned = self.components(link, local);
-        let Some(turn) = self.of(link) else { return turned };
-        let [x, y] = turned;
-        let [dx, dy] = turn.origin.clone();
-        [sum_of(dx, x), sum_of(dy, y)]
-    }
-
-    fn point(&self, on: Option<&Ident>, place: &PointPlace) -> PointPlace {
-        let Some((on, turn)) = on.and_then(|on| Some((on, self.of(on)?))) else {
-            return match place {
-                PointPlace::Cartesian(place) => PointPlace::Cartesian(self.pair(place)),
-                PointPlace::Polar(place) => PointPlace::Polar(self.pair(place)),
-                PointPlace::Distances(distances, side) => {
-                    PointPlace::Distances(self.pair(distances), side.clone())
-                }
-                PointPlace::Mistake => PointPlace::Mistake,
-            };
-        };
-        let pen = self.pen.at(on.span());
-        match place {
-            PointPlace::Cartesian(place) => PointPlace::Cartesian(self.place(on, place)),
-            PointPlace::Polar([radius, angle]) => {
-                let radius = Figure::length(self.expr(radius), f64::NAN, None);
-                let angle = Figure::plain(self.expr(angle), f64::NAN, None);
-                let local =
-                    [pen.mul(&radius, &pen.cos(&angle)), pen.mul(&radius, &pen.sin(&angle))];
-                PointPlace::Cartesian(self.place(on, &local.map(|number| number.text)))
-            }
-            PointPlace::Distances([first, second], side) if turn.is_reversed => {
-                let word = if side == "left" { "right" } else { "left" };
-                let side = Ident::new(word, side.span());
-                PointPlace::Distances([self.expr(second), self.expr(first)], side)
-            }
-            place => place.clone(),
-        }
+        guides.collect()
     }
 
     fn through(&self, guide: &GuideStatement) -> Option<[Expr; 2]> {
-        let point = match &guide.through {
-            GuideAnchor::At(place) => return Some(self.place(guide.on.as_ref()?, place)),
-            GuideAnchor::Point(point) => point,
-            GuideAnchor::Mistake => return None,
-        };
+        let GuideAnchor::Point(point) = &guide.through else { return None };
         let (body, GuideLine { line, through, .. }) = self.drawn_guide(guide, point)?;
-        let Some(on) = &guide.on else {
+        if guide.on.is_none() {
             return Some(line.through.clone().map(|number| number.text));
-        };
+        }
         let (pen, link) = (self.pen.at(point.span()), self.bodies.link(body));
-        let local = match (&link.length, &link.pins[..]) {
+        Some(match (&link.length, &link.pins[..]) {
             // The far end is where the declared length puts it.
             (Some((length, _)), &[_, far]) if *through == Some(far) => {
                 [(*length).clone(), pen.zero().text]
             }
             _ => self.bodies.frames[body].local(&pen, &line.through).map(|number| number.text),
-        };
-        Some(self.place(on, &local))
+        })
     }
 
-    fn towards(&self, guide: &GuideStatement) -> Option<Expr> {
+    fn along(&self, guide: &GuideStatement) -> Option<Expr> {
         let Course::Towards(point) = &guide.course else { return None };
         let (body, GuideLine { line, .. }) = self.drawn_guide(guide, point)?;
         let pen = self.pen.at(point.span());
         let along = self.bodies.frames[body].local_direction(&pen, &line.along);
-        let angle = pen.angle(&along).text;
-        Some(guide.on.as_ref().map_or(angle.clone(), |on| self.added(on, angle)))
+        Some(pen.angle(&along).text)
     }
-}
 
-/// The sum, without a zero in front.
-fn sum_of(first: Expr, second: Expr) -> Expr {
-    let is_zero = |expr: &Expr| matches!(&expr.kind, ExprKind::Number { digits, .. } if digits.bytes().all(|d| d == b'0'));
-    match (is_zero(&first), is_zero(&second)) {
-        (true, _) => second,
-        (_, true) => first,
-        _ => sum(first, second),
+    /// The links whose frames are other ones.
+    pub(super) fn found(self) -> Vec<FrameFound> {
+        self.turned.into_iter().map(|(found, _)| found).collect()
+    }
+
+    /// The angle of a link's frame against that of its group, in the drawing.
+    pub(super) fn turn_of(&self, link: &Ident) -> f64 {
+        let turned = self.turned.iter().find(|(found, _)| found.link == *link);
+        turned.map_or(0.0, |(_, turn)| *turn)
     }
 }

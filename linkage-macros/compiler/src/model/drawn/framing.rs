@@ -293,6 +293,6 @@ fn pin_named(reader: &Reader<'_, '_, '_>, name: &Ident) -> Option<usize> {
 }
 
 /// True if a point at distances lies on the left of its link, as seen from the first pin.
-pub(super) fn is_left(side: &Ident) -> bool {
+fn is_left(side: &Ident) -> bool {
     side == "left"
 }

@@ -3,7 +3,7 @@
 //!
 //! [`values`] knows the numbers of the drawing, [`bodies`] its names, [`frames`] the frames of its links. The
 //! room `chain` cuts the machine that they make; [`writer`] writes each step as a statement of the
-//! language, [`frame_shifts`] what else names a link, and [`sorted`] puts all of them in solving order. What
+//! language, [`frame_shifts`] knows the frames that these give links, and [`sorted`] puts all of them in solving order. What
 //! comes out is resolved like any declaration, so that there is one meaning of everything. A group may have a slide or a
 //! drive the other way round, or measure it from elsewhere: [`slides`] says so, and [`joints`] tells the mechanism.
 
@@ -41,7 +41,7 @@ mod values;
 mod writer;
 mod written;
 
-use crate::model::drawn_links::DrawnLinks;
+use crate::model::drawn_links::{DrawnLinks, RodEnd};
 use proc_macro2::Ident;
 
 use crate::chain;
@@ -54,7 +54,6 @@ use crate::syntax::tree::{
 use super::as_drawn::SearchFollowed;
 use super::mechanism::{Mechanism, References};
 use bodies::Bodies;
-use ends::RodEnd;
 use reader::Reader;
 use values::Measured;
 
@@ -63,7 +62,6 @@ struct Translation {
     tree: Declaration,
     searches: Vec<SearchFollowed>,
     links: DrawnLinks,
-    ends: Vec<RodEnd>,
     /// True if drives hold links together.
     holds_links: bool,
     /// The inputs of the drawn pose, where the drives determine them.
@@ -96,7 +94,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
         // Bars stand for links, so that what pushes in the joints of these is not known.
         messages::report_held_reactions(tree, &mechanism, diagnostics);
     }
-    for RodEnd { block, link, .. } in &cut.ends {
+    for RodEnd { block, link, .. } in &cut.links.ends {
         let blocks = mechanism.links.iter_mut().filter(|other| other.name == *block);
         blocks.for_each(|other| other.stands_for = Some(link.clone()));
     }
@@ -104,7 +102,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     if cut.holds_links {
         asked = mechanism.dynamics.what_is_of_power(asked);
     }
-    mechanism.dynamics.asked = ends::as_of_links(&cut.ends, asked);
+    mechanism.dynamics.asked = ends::as_of_links(&cut.links.ends, asked);
     let is_hidden = |field: &Ident| {
         cut.links.hidden.iter().any(|(name, _)| name == field)
             || tree.unwritten.names.contains(field)
@@ -140,8 +138,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     writer.fixed_links();
     steps.iter().for_each(|step| writer.step(step));
     let translated = writer.declaration();
-    let writer::Translated { statements, links, searches, ends, holds_links, misplaced } =
-        translated;
+    let writer::Translated { statements, links, searches, holds_links, misplaced } = translated;
     placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
     placed::report_distances_apart(&bodies, &links.bars, values.scope.diagnostics)?;
     let declaration = Declaration {
@@ -153,7 +150,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         is_damaged: tree.is_damaged,
         unwritten: tree.unwritten.clone(),
     };
-    Some(Translation { tree: declaration, searches, links, ends, holds_links, inputs })
+    Some(Translation { tree: declaration, searches, links, holds_links, inputs })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.

@@ -5,34 +5,40 @@ use proc_macro2::Ident;
 
 use crate::chain::plane::Complex;
 use crate::syntax::anatomy::GroupSpec;
-use crate::syntax::tree::{
-    Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Statement, StatementKind,
-};
+use crate::syntax::tree::{GroupStatement, StatementKind};
 
 use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::messages::LEAST_SINE;
+use crate::model::mechanism::Sign;
 
-/// The statement with the mode of the drawing, where it leaves out one that it needs and all its pins are drawn off its
+/// The mode of a group that is declared by hand, where it leaves out one that it needs and all its pins are drawn off its
 /// limit.
-pub(super) fn with_mode(bodies: &Bodies<'_>, statement: &Statement) -> Option<Statement> {
-    let StatementKind::Group(group) = &statement.kind else { return None };
-    let anatomy =
-        GroupSpec::of(&group.keyword.to_string()).filter(|anatomy| anatomy.mode_is_needed())?;
-    if group.fields.iter().any(|field| field.name == "mode") {
-        return None;
-    }
+pub(super) struct DrawnMode {
+    /// The first link of the group.
+    pub link: Ident,
+    pub mode: Sign,
+    /// Its pin, and its corners where it is drawn as a parallelogram.
+    pub parallel: Option<(Ident, Vec<Ident>)>,
+}
+
+/// The modes that the drawing gives.
+pub(super) fn modes(bodies: &Bodies<'_>) -> Vec<DrawnMode> {
+    let groups = bodies.other_statements().filter_map(|(_, statement)| match &statement.kind {
+        StatementKind::Group(group) => Some(group),
+        _ => None,
+    });
+    groups.filter_map(|group| mode(bodies, group)).collect()
+}
+
+fn mode(bodies: &Bodies<'_>, group: &GroupStatement) -> Option<DrawnMode> {
+    GroupSpec::of(&group.keyword.to_string()).filter(|anatomy| anatomy.mode_is_needed())?;
     let sine = sine(bodies, group)?;
-    let [plus, minus] = anatomy.modes?.words();
-    if sine.abs() < LEAST_SINE {
+    if group.fields.iter().any(|field| field.name == "mode") || sine.abs() < LEAST_SINE {
         return None;
     }
-    let span = group.keyword.span();
-    let word = Ident::new(if sine > 0.0 { plus } else { minus }, span);
-    let value = Expr { kind: ExprKind::Name(word), span: span.into() };
-    let mut group = group.clone();
-    let name = Ident::new("mode", span);
-    group.fields.push(GroupField { name, value: GroupFieldValue::One(value) });
-    Some(Statement { docs: statement.docs.clone(), kind: StatementKind::Group(group) })
+    let mode = if sine > 0.0 { Sign::Plus } else { Sign::Minus };
+    let link = group.legs.first()?.link.clone();
+    Some(DrawnMode { link, mode, parallel: corners_of_group(bodies, group) })
 }
 
 /// The measure of the group in the drawing, whose sign is the mode: the sine between two bars, or the cosine between a
@@ -91,19 +97,8 @@ pub(super) fn parallel(bodies: &Bodies<'_>, pins: [usize; 3]) -> Option<(Ident, 
     (!corners.is_empty()).then(|| (name(pins[1]), corners))
 }
 
-/// The parallelograms among the statements that take their mode from the drawing: those that are restated with it.
-pub(super) fn parallels(
-    bodies: &Bodies<'_>,
-    others: &[(usize, &Statement)],
-    restated: &[Option<Statement>],
-) -> Vec<(Ident, Vec<Ident>)> {
-    let with_drawn_mode = others.iter().zip(restated).filter(|(_, restated)| restated.is_some());
-    with_drawn_mode.filter_map(|((_, other), _)| corners_of_statement(bodies, other)).collect()
-}
-
-/// The pin of a statement with the mode of the drawing, and its corners where it is drawn as a parallelogram.
-fn corners_of_statement(bodies: &Bodies<'_>, statement: &Statement) -> Option<(Ident, Vec<Ident>)> {
-    let StatementKind::Group(group) = &statement.kind else { return None };
+/// The pin of a group with the mode of the drawing, and its corners where it is drawn as a parallelogram.
+fn corners_of_group(bodies: &Bodies<'_>, group: &GroupStatement) -> Option<(Ident, Vec<Ident>)> {
     GroupSpec::of(&group.keyword.to_string()).filter(|anatomy| anatomy.can_be_parallel())?;
     let place = |name: &Ident| bodies.pins.iter().position(|pin| pin.name == *name);
     let [first, second] = &group.legs[..] else { return None };

@@ -2,14 +2,12 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{PointPlace, PointStatement, Statement, StatementKind};
+use crate::syntax::tree::Expr;
 
 use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::{Heading, Origin};
-use crate::model::drawn::framing::is_left;
 use crate::model::drawn::writer::Writer;
 use crate::model::drawn_links::{BarFound, PinFound};
-use crate::model::frames_of_groups::FramesOfGroups;
 
 impl Writer<'_, '_> {
     /// The bars between the first two pins of links that no group has as such bars.
@@ -18,32 +16,17 @@ impl Writer<'_, '_> {
         bodies.filter_map(|body| self.bar_between_pins(body)).collect()
     }
 
-    /// The statement with distances from the first two pins of a link as coordinates in its frame, where no group has
-    /// the link as a bar between them. With a, b from both and l between them, x = (l + (a − b)(a + b)/l)/2 and
-    /// y² = (a − x)(a + x).
-    pub(super) fn by_coordinates(&self, statement: &Statement) -> Option<Statement> {
-        let StatementKind::Point(PointStatement { name, on: Some(on), place }) = &statement.kind
-        else {
-            return None;
-        };
-        let PointPlace::Distances(distances, side) = place else { return None };
-        let body = self.bodies.body(on).filter(|body| !self.bars.contains(body))?;
-        let link = self.bodies.link(body);
-        let (&[first, second, ..], false) = (&link.pins[..], link.is_given) else { return None };
-        let pen = self.pen.at(name.span());
-        let [a, b, long] = [&distances[0], &distances[1], &self.length(body, first, second)]
-            .map(|text| Figure::length(text.clone(), f64::NAN, None));
-        let square = pen.mul(&pen.sub(&a, &b), &pen.add(&a, &b));
-        let x = pen.div(&pen.add(&long, &pen.div(&square, &long)), &pen.whole(2));
-        let y = pen.side(&pen.mul(&pen.sub(&a, &x), &pen.add(&a, &x)));
-        let y = if is_left(side) { y } else { pen.neg(&y) };
-        let place = PointPlace::Cartesian([x.text, y.text]);
-        let kind = StatementKind::Point(PointStatement {
-            name: name.clone(),
-            on: Some(on.clone()),
-            place,
+    /// The lengths between the first two pins of links that no group has as bars between them.
+    pub(super) fn lengths_between_pins(&self) -> Vec<(Ident, Expr)> {
+        let bodies = (1..self.bodies.machine.bodies.len()).filter(|body| !self.bars.contains(body));
+        let lengths = bodies.filter_map(|body| {
+            let link = self.bodies.link(body);
+            let (&[first, second, ..], false) = (&link.pins[..], link.is_given) else {
+                return None;
+            };
+            Some((link.name.clone(), self.length(body, first, second)))
         });
-        Some(Statement { docs: statement.docs.clone(), kind })
+        lengths.collect()
     }
 
     /// The pins between links that no group has which is declared by hand.
@@ -89,7 +72,7 @@ impl Writer<'_, '_> {
                     && to == pin
                     && [[near, far], [far, near]].contains(&[from, to]) =>
             {
-                [self.turns.expr(length), pen.zero().text]
+                [(*length).clone(), pen.zero().text]
             }
             _ => own.local(&pen, self.place(pin)).map(|number| number.text),
         };

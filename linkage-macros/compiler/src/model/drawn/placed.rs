@@ -11,7 +11,6 @@ use crate::model::drawn::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::lengths::in_words;
 use crate::model::drawn::writer::Writer;
 use crate::model::drawn_links::BarFound;
-use crate::model::frames_of_groups::FramesOfGroups;
 
 /// Reports points whose place on their link needs the link to be placed first, where the link is placed from them:
 /// those at distances, and those beside the far end of a declared length.
@@ -137,6 +136,7 @@ impl Writer<'_, '_> {
             };
             let (on, place) = (Some(link.name.clone()), PointPlace::Cartesian(place));
             self.turns.join(link.name, &name);
+            self.links.placed.insert(name.clone());
             let kind = StatementKind::Point(PointStatement { name, on, place });
             self.put(link.statement, kind);
         }
@@ -148,7 +148,7 @@ impl Writer<'_, '_> {
         let along = pen.minus(self.place(far), self.place(near));
         let along = frame.local_direction(&pen, &along);
         let size = pen.size(&along);
-        let length = Figure::length(self.turns.expr(length), f64::NAN, None);
+        let length = Figure::length(length.clone(), f64::NAN, None);
         let way = along.map(|part| pen.mul(&length, &pen.div(&part, &size)));
         pen.plus(&frame.local(&pen, self.place(near)), &way).map(|number| number.text)
     }

@@ -10,7 +10,6 @@ use crate::syntax::tree::{
 use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::writer::{Writer, given};
-use crate::model::frames_of_groups::FramesOfGroups;
 
 impl Writer<'_, '_> {
     /// The guide of a slide.
@@ -51,6 +50,7 @@ impl Writer<'_, '_> {
             through: GuideAnchor::At(through),
             course: Course::Along(along),
         });
+        self.links.placed.insert(name.clone());
         self.put(self.bodies.link(link).statement, kind);
         name
     }
@@ -123,7 +123,7 @@ impl Writer<'_, '_> {
             axis: along[1].clone(),
         };
         let [_, offset] = pen.seen_from(&along[0], &pen.minus(self.place(pin), &frame.origin));
-        let mut fields = vec![("slot", GroupFieldValue::One(self.turns.expr(&angle)))];
+        let mut fields = vec![("slot", GroupFieldValue::One(angle))];
         fields.extend(self.offsets([pen.zero(), offset]));
         self.write(dyad, None, fields);
         self.settle(yoke, frame.clone(), counted);

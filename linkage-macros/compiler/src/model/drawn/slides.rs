@@ -7,7 +7,6 @@ use crate::model::drawn::figures::{Figure, Pen};
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::writer::Writer;
 use crate::model::drawn_links::SlideFound;
-use crate::model::frames_of_groups::FramesOfGroups;
 
 impl Writer<'_, '_> {
     /// The place in the drawing where the frame begins that a group gave a link. The far end of a declared length is
@@ -22,7 +21,7 @@ impl Writer<'_, '_> {
                 let (near, far) = (self.place(near), self.place(far));
                 let along = pen.minus(far, near);
                 let size = pen.size(&along);
-                let length = Figure::length(self.turns.expr(length), f64::NAN, None);
+                let length = Figure::length((*length).clone(), f64::NAN, None);
                 pen.plus(near, &along.map(|part| pen.mul(&length, &pen.div(&part, &size))))
             }
             _ => own.origin.clone(),

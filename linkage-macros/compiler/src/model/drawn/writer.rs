@@ -10,25 +10,21 @@ use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, Statement, StatementK
 use crate::model::as_drawn::SearchFollowed;
 use crate::model::drawn::bars::DrawnBar;
 use crate::model::drawn::bodies::Bodies;
-use crate::model::drawn::ends::{self, RodEnd};
 use crate::model::drawn::figures::{Figure, Pen};
 use crate::model::drawn::frame_shifts::FrameShifts;
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::free_names::FreeNames;
 use crate::model::drawn::group_statement::group_of;
-use crate::model::drawn::modes_as_drawn::{parallel, parallels, with_mode};
+use crate::model::drawn::modes_as_drawn::{DrawnMode, modes, parallel};
 use crate::model::drawn::written::Written;
 use crate::model::drawn::{is_point_of, sorted};
 use crate::model::drawn_links::DrawnLinks;
-use crate::model::frames_of_groups::FramesOfGroups;
 
 /// The statements that a drawing became.
 pub(super) struct Translated {
     pub statements: Vec<Statement>,
     pub links: DrawnLinks,
     pub searches: Vec<SearchFollowed>,
-    /// The joints of links at which such blocks stand in for them.
-    pub ends: Vec<RodEnd>,
     /// True if drives hold links together.
     pub holds_links: bool,
     /// Points declared on links that other statements make, though their place is not known before the link's.
@@ -61,7 +57,6 @@ pub(super) struct Writer<'b, 't> {
     pub(super) bars: Vec<usize>,
     /// The links as groups make them.
     pub(super) links: DrawnLinks,
-    pub(super) ends: Vec<RodEnd>,
     /// True if drives hold links together.
     pub(super) holds_links: bool,
 }
@@ -91,7 +86,6 @@ impl<'b, 't> Writer<'b, 't> {
             names: FreeNames::of(bodies.tree),
             bars: Vec::new(),
             links: DrawnLinks::default(),
-            ends: Vec::new(),
             holds_links: false,
         }
     }
@@ -100,10 +94,8 @@ impl<'b, 't> Writer<'b, 't> {
     pub(super) fn declaration(self) -> Translated {
         let (bars, joints) = (self.bars_between_pins(), self.joints());
         let angles = self.counted_angles();
-        let others: Vec<_> = self.bodies.other_statements().collect();
-        let restated = |other| self.by_coordinates(other).or_else(|| with_mode(self.bodies, other));
-        let placed: Vec<_> = others.iter().map(|(_, other)| restated(other)).collect();
-        let parallels = parallels(self.bodies, &others, &placed);
+        let (lengths, guides) = (self.lengths_between_pins(), self.turns.guides());
+        let modes = modes(self.bodies);
         let Self {
             bodies,
             turns,
@@ -111,19 +103,15 @@ impl<'b, 't> Writer<'b, 't> {
             searches,
             mut links,
             names,
-            ends,
             holds_links,
             replaced,
             misplaced,
             ..
         } = self;
-        for ((index, statement), placed) in others.into_iter().zip(&placed) {
-            if is_point_of(&replaced, &statement.kind) {
-                continue;
+        for (index, statement) in bodies.other_statements() {
+            if !is_point_of(&replaced, &statement.kind) {
+                written.push(Written { behind: index, search: None, statement: statement.clone() });
             }
-            let statement =
-                ends::renamed(&ends, turns.statement(placed.as_ref().unwrap_or(statement)));
-            written.push(Written { behind: index, search: None, statement });
         }
         written.sort_by_key(|written| written.behind);
         let statements = sorted::ordered(written, &links.slides);
@@ -131,10 +119,13 @@ impl<'b, 't> Writer<'b, 't> {
         let hidden = links.hidden.iter().map(|(name, _)| name);
         links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
         (links.bars, links.joints, links.angles) = (bars, joints, angles);
-        links.parallels.extend(parallels);
-        links.names = names.made;
-        links.turned = turns.directions();
-        Translated { statements, links, searches, ends, holds_links, misplaced }
+        for DrawnMode { link, mode, parallel } in modes {
+            links.modes.push((link, mode));
+            links.parallels.extend(parallel);
+        }
+        (links.names, links.frames, links.lengths, links.guides) =
+            (names.made, turns.found(), lengths, guides);
+        Translated { statements, links, searches, holds_links, misplaced }
     }
 
     /// Puts a statement behind one of the drawing, or where the search in hand stands.
@@ -171,7 +162,7 @@ impl<'b, 't> Writer<'b, 't> {
     /// drive the unknown.
     pub(super) fn value(&self, drive: Option<usize>, body: usize) -> Expr {
         let Some(drive) = drive else { return self.unknown(body) };
-        let value = self.turns.expr(&self.bodies.drives[drive].1.value);
+        let value = self.bodies.drives[drive].1.value.clone();
         match self.bodies.machine.drives[drive].bodies[0] == body {
             true => value,
             false => value.negated(),
@@ -196,10 +187,7 @@ impl<'b, 't> Writer<'b, 't> {
 
     fn crank(&mut self, drive: Option<usize>, body: usize, reference: usize, pivot: usize) {
         let written = self.bodies.frames[body].clone();
-        let mut angle = self.value(drive, body);
-        if reference != GROUND {
-            angle = self.turns.added(self.name(reference), angle);
-        }
+        let angle = self.value(drive, body);
         let mut fields = Vec::new();
         let pins = &self.bodies.link(body).pins;
         let tip = match (pins.first() == Some(&pivot), pins.get(1)) {
@@ -320,7 +308,7 @@ impl<'b, 't> Writer<'b, 't> {
         if let Some((length, _)) = &link.length
             && [from, to].iter().all(|pin| link.pins.contains(pin))
         {
-            return self.turns.expr(length);
+            return (*length).clone();
         }
         let pen = self.pen.at(self.name(body).span());
         pen.size(&pen.minus(self.place(to), self.place(from))).text

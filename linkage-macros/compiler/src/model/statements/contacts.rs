@@ -38,10 +38,6 @@ impl Rules for FrictionStatement {
     fn acts(&self) -> bool {
         true
     }
-
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        vec![&mut self.coefficient]
-    }
 }
 
 /// A pin's friction as it is written of a link.

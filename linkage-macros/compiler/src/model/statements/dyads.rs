@@ -8,7 +8,6 @@ use crate::syntax::anatomy::{GroupSpec, JointRule, KEYWORDS, Pin, Reason};
 use crate::syntax::tree::{self, Expr};
 use crate::syntax::words::built_by;
 
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{GroupId, GroupName, PartOf, PointId, Step};
 use crate::model::names::{Entity, Kind};
 use crate::model::parts_of_groups::{OuterJoint, Parts};
@@ -52,10 +51,6 @@ impl Rules for tree::GroupStatement {
         let anatomy = GroupSpec::of(&self.keyword.to_string());
         let slides = anatomy.is_none_or(|anatomy| anatomy.slides().get(place) == Some(&true));
         Some(Entity::Link(declared::new_link(scope, docs, name, made_by, slides)))
-    }
-
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        shifts.group(self);
     }
 }
 

@@ -6,7 +6,6 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, ForceBetweenStatement, ForceStatement};
 
 use crate::model::acting::{Axes, Force};
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{Body, Carrier, Dimension, PointId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
@@ -30,13 +29,6 @@ impl Rules for ForceStatement {
     fn acts(&self) -> bool {
         true
     }
-
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        self.value = match &self.axes {
-            Some(axes) => shifts.components(axes, &self.value),
-            None => shifts.pair(&self.value),
-        };
-    }
 }
 
 impl Rules for ForceBetweenStatement {
@@ -56,10 +48,6 @@ impl Rules for ForceBetweenStatement {
     fn acts(&self) -> bool {
         true
     }
-
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        vec![&mut self.value]
-    }
 }
 
 fn force(
@@ -78,8 +66,15 @@ fn force(
         },
     };
     let point = moved_point(scope, on);
-    let [x, y] = value;
-    Some(Force::At { point: point?, value: [x?, y?], axes: axes? })
+    let ([x, y], axes) = (value, axes?);
+    let value = match axes {
+        Axes::Body(body) => match scope.mechanism.frame_shift(body) {
+            Some(shift) => shift.components([x?, y?]),
+            None => [x?, y?],
+        },
+        Axes::Guide(_) => [x?, y?],
+    };
+    Some(Force::At { point: point?, value, axes })
 }
 
 /// A point that a force moves, or tries to.

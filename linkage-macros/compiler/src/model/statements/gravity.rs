@@ -18,10 +18,6 @@ impl Rules for GravityStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         gravity(scope, self.at, &self.value);
     }
-
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        self.value.iter_mut().collect()
-    }
 }
 
 /// Gravity is given once, and no input changes it.

@@ -9,7 +9,6 @@ use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
 use crate::model::assembly::constants;
 use crate::model::facts::GuideFacts;
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{
     Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through,
 };
@@ -68,20 +67,6 @@ impl Rules for GuideStatement {
         scope.facts.guides.push(facts);
         Some(Entity::Guide(GuideId(guides.len() as u32 - 1)))
     }
-
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        let (through, towards) = (shifts.through(self), shifts.towards(self));
-        self.through = through.map_or_else(|| self.through.clone(), GuideAnchor::At);
-        if let Some(angle) = towards {
-            self.course = Course::Along(angle);
-        } else if let Course::Along(angle) = &mut self.course {
-            let turned = shifts.expr(angle);
-            *angle = match &self.on {
-                Some(on) => shifts.added(on, turned),
-                None => turned,
-            };
-        }
-    }
 }
 
 fn guide_line(
@@ -94,8 +79,17 @@ fn guide_line(
 ) {
     let is_new = uses::name_is_new(scope, name).is_some();
     let carrier = carrier(scope, on);
-    let through = spot(scope, through, carrier);
-    let course = self::course(scope, course, carrier);
+    let is_told_in_its_group = scope.drawn.is_some_and(|drawn| drawn.placed.contains(name));
+    let body = carrier.filter(|_| !is_told_in_its_group).unwrap_or(Carrier::Ground);
+    let found = scope.drawn.and_then(|drawn| drawn.guide(name));
+    let through = match found.and_then(|found| found.through.as_ref()) {
+        Some(at) => spot_at(scope, at, body),
+        None => spot(scope, through, carrier, body),
+    };
+    let course = match found.and_then(|found| found.along.as_ref()) {
+        Some(angle) => course_along(scope, angle, body),
+        None => self::course(scope, course, carrier, body),
+    };
     let differ = match (&through, &course) {
         (Some((spot, from)), Some((course, _))) => {
             guide_has_a_direction(scope, name, carrier, spot, from.as_ref(), course)
@@ -137,13 +131,10 @@ fn spot(
     scope: &mut Scope<'_>,
     spot: &GuideAnchor,
     carrier: Option<Carrier>,
+    body: Carrier,
 ) -> Option<(Through, Option<[Exact; 2]>)> {
     match spot {
-        GuideAnchor::At(place) => {
-            let place = numbers::lengths(scope, place)?;
-            let at = constants(&place);
-            Some((Through::At(place), at))
-        }
+        GuideAnchor::At(place) => spot_at(scope, place, body),
         GuideAnchor::Point(name) => {
             let (point, at) = point_lies_on_carrier(scope, name, carrier)?;
             Some((Through::Point(point), at))
@@ -152,16 +143,39 @@ fn spot(
     }
 }
 
+/// Coordinates in the written frame of a body.
+fn spot_at(
+    scope: &mut Scope<'_>,
+    place: &[Expr; 2],
+    body: Carrier,
+) -> Option<(Through, Option<[Exact; 2]>)> {
+    let place = numbers::lengths(scope, place)?;
+    let place = scope.mechanism.placed(body, place);
+    let at = constants(&place);
+    Some((Through::At(place), at))
+}
+
+/// An angle against the written frame of a body.
+fn course_along(
+    scope: &mut Scope<'_>,
+    angle: &Expr,
+    body: Carrier,
+) -> Option<(GuideDirection, Option<[Exact; 2]>)> {
+    let angle = numbers::turn(scope, angle)?;
+    Some((GuideDirection::Along(scope.mechanism.turned(body, angle)), None))
+}
+
 /// Where a guide goes, and where that lies if it is a point at a constant place.
 fn course(
     scope: &mut Scope<'_>,
     course: &Course,
     carrier: Option<Carrier>,
+    body: Carrier,
 ) -> Option<(GuideDirection, Option<[Exact; 2]>)> {
     match course {
         Course::Along(angle) => {
             axis_is_an_angle(scope, angle)?;
-            Some((GuideDirection::Along(numbers::turn(scope, angle)?), None))
+            course_along(scope, angle, body)
         }
         Course::Towards(name) => {
             let (point, at) = point_lies_on_carrier(scope, name, carrier)?;

@@ -9,7 +9,6 @@ use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassState
 use crate::model::acting::{Magnitude, Mass, MassPlace};
 use crate::model::drawn_sliding;
 use crate::model::folding::shown;
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
@@ -40,14 +39,6 @@ impl Rules for MassStatement {
     fn acts(&self) -> bool {
         true
     }
-
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        self.value = shifts.expr(&self.value);
-        self.inertia = self.inertia.as_ref().map(|inertia| shifts.expr(inertia));
-        if let Written::At(at) = &mut self.place {
-            *at = shifts.place(&self.on, at);
-        }
-    }
 }
 
 impl Rules for InertiaStatement {
@@ -66,10 +57,6 @@ impl Rules for InertiaStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        vec![&mut self.value]
     }
 }
 
@@ -174,7 +161,8 @@ fn mass_place(scope: &mut Scope<'_>, on: &Ident, place: &Written) -> Option<Mass
         Written::Here => point_mass(scope, on),
         Written::At(place) => {
             let (link, place) = (uses::link(scope, on), numbers::lengths(scope, place));
-            Some(MassPlace::At(link?, place?))
+            let place = scope.mechanism.placed(Carrier::Link(link?), place?);
+            Some(MassPlace::At(link?, place))
         }
         Written::Point(point) => {
             let link = uses::link(scope, on);

@@ -33,7 +33,6 @@ use syn::Attribute;
 
 use crate::syntax::tree::{Action, Expr, Statement, StatementKind};
 
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 
@@ -93,66 +92,43 @@ pub(super) trait Rules {
     fn acts(&self) -> bool {
         false
     }
-
-    /// Expressions that link angles may stand in, where nothing else is told of the frame of a link.
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        Vec::new()
-    }
-
-    /// Puts what stands in the frames of drawn links into those of their groups.
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        for expr in self.expressions_mut() {
-            *expr = shifts.expr(expr);
-        }
-    }
-}
-
-macro_rules! by_kind {
-    ($kind:expr) => {
-        match $kind {
-            StatementKind::Input(it) => it,
-            StatementKind::InputSet(it) => it,
-            StatementKind::Param(it) => it,
-            StatementKind::Let(it) => it,
-            StatementKind::Unknown(it) => it,
-            StatementKind::Solve(it) => it,
-            StatementKind::Ground(it) => it,
-            StatementKind::Pin(it) => it,
-            StatementKind::Link(it) => it,
-            StatementKind::Drive(it) => it,
-            StatementKind::DriveBy(it) => it,
-            StatementKind::Guide(it) => it,
-            StatementKind::Point(it) => it,
-            StatementKind::Group(it) => it,
-            StatementKind::Load(it) => it,
-            StatementKind::Action(action) => match action {
-                Action::Gravity(it) => it,
-                Action::Mass(it) => it,
-                Action::Inertia(it) => it,
-                Action::Force(it) => it,
-                Action::ForceBetween(it) => it,
-                Action::Torque(it) => it,
-                Action::TorqueBetween(it) => it,
-                Action::Spring(it) => it,
-                Action::Friction(it) => it,
-                Action::Stop(it) => it,
-            },
-            StatementKind::Output(it) => it,
-            StatementKind::Numerics(it) => it,
-            StatementKind::Crate(it) => it,
-            StatementKind::Export(it) => it,
-        }
-    };
 }
 
 /// The rules of a statement.
 pub(super) fn rules(statement: &Statement) -> &dyn Rules {
-    by_kind!(&statement.kind)
-}
-
-/// The same of a statement that is changed.
-pub(super) fn rules_mut(statement: &mut Statement) -> &mut dyn Rules {
-    by_kind!(&mut statement.kind)
+    match &statement.kind {
+        StatementKind::Input(it) => it,
+        StatementKind::InputSet(it) => it,
+        StatementKind::Param(it) => it,
+        StatementKind::Let(it) => it,
+        StatementKind::Unknown(it) => it,
+        StatementKind::Solve(it) => it,
+        StatementKind::Ground(it) => it,
+        StatementKind::Pin(it) => it,
+        StatementKind::Link(it) => it,
+        StatementKind::Drive(it) => it,
+        StatementKind::DriveBy(it) => it,
+        StatementKind::Guide(it) => it,
+        StatementKind::Point(it) => it,
+        StatementKind::Group(it) => it,
+        StatementKind::Load(it) => it,
+        StatementKind::Action(action) => match action {
+            Action::Gravity(it) => it,
+            Action::Mass(it) => it,
+            Action::Inertia(it) => it,
+            Action::Force(it) => it,
+            Action::ForceBetween(it) => it,
+            Action::Torque(it) => it,
+            Action::TorqueBetween(it) => it,
+            Action::Spring(it) => it,
+            Action::Friction(it) => it,
+            Action::Stop(it) => it,
+        },
+        StatementKind::Output(it) => it,
+        StatementKind::Numerics(it) => it,
+        StatementKind::Crate(it) => it,
+        StatementKind::Export(it) => it,
+    }
 }
 
 /// The names a statement declares.

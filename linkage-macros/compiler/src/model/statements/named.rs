@@ -29,10 +29,6 @@ impl Rules for LetStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         named_expression(scope, &self.name, &self.value, self.moves(scope));
     }
-
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        vec![&mut self.value]
-    }
 }
 
 fn named_expression(scope: &mut Scope<'_>, name: &Ident, value: &Expr, moves: bool) {

@@ -12,7 +12,6 @@ use crate::syntax::tree::{
     Declaration, Expr, ExprKind, OutputItem, OutputStatement, StatementKind,
 };
 
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::link_efforts::MEMBERS;
 use crate::model::mechanism::{LinkId, OutputKind};
 use crate::model::names::{Entity, Kind};
@@ -29,15 +28,6 @@ impl Rules for OutputStatement {
 
     fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
         // An output may name anything, wherever it stands: `outputs`.
-    }
-
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        for item in &mut self.items {
-            // A part of a link by itself is a direction.
-            if item.name.is_some() || !matches!(item.value.kind, ExprKind::Member(..)) {
-                item.value = shifts.expr(&item.value);
-            }
-        }
     }
 }
 
@@ -88,7 +78,11 @@ pub(in crate::model) fn output(scope: &mut Scope<'_>, docs: &[Attribute], item: 
         (Some(name), _) if item.renamed_at.is_some() => name_stands_in_front(scope, name, item),
         (Some(name), _) => named_output(scope, docs, name, &item.value),
         (None, ExprKind::Name(name)) => whole_output(scope, docs, name),
-        (None, ExprKind::Member(owner, member)) => member_output(scope, docs, owner, member),
+        (None, ExprKind::Member(owner, member)) => {
+            let end = scope.drawn.and_then(|drawn| drawn.end_of(owner, member));
+            let block = end.map(|end| Ident::new(&end.block.to_string(), owner.span()));
+            member_output(scope, docs, block.as_ref().unwrap_or(owner), member);
+        }
         (None, ExprKind::Part(path)) => effort_formulas::part_output(scope, docs, path),
         (None, ExprKind::Mistake) => {}
         (None, _) => {

@@ -4,14 +4,14 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::exact::Exact;
+use crate::function::Function;
 use crate::reach::{absolute, apex};
 use crate::syntax::tree::{self, Expr, Expr as Written, PointStatement};
 
 use crate::model::assembly::{constants, polar};
 use crate::model::folding::shown;
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{
-    Carrier, GroupName, Length, LinkId, PartOf, Placement, Scalar, Sign, Step,
+    Carrier, GroupName, Length, LinkId, Operator, PartOf, Placement, Scalar, Sign, Step,
 };
 use crate::model::names::{Entity, Kind};
 use crate::model::resolved_expr::bare_name;
@@ -49,10 +49,6 @@ impl Rules for PointStatement {
         let by_itself = declared::group_by_itself(scope, "point", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
     }
-
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        self.place = shifts.point(self.on.as_ref(), &self.place);
-    }
 }
 
 fn placed_point(
@@ -65,7 +61,8 @@ fn placed_point(
 ) {
     let carrier = guides::carrier(scope, on);
     let damaged = matches!(place, tree::PointPlace::Mistake);
-    let place = self::place(scope, name, carrier, place);
+    let place = self::place(scope, name, carrier, place)
+        .map(|place| in_the_frame_of_its_group(scope, name, carrier, place));
     // Where its link is not known, neither is the point.
     let Some(carrier) = carrier.filter(|_| !damaged) else {
         uses::name_is_new(scope, name);
@@ -129,6 +126,12 @@ fn place(
                 Some(Length { value, name })
             });
             let side = modes::side_is_left_or_right(scope, side, name);
+            if let Some(length) = length_as_drawn(scope, carrier?) {
+                let [first, second] = values;
+                let distances = [first?, second?];
+                distances_meet(scope, name, carrier?, &distances, &length)?;
+                return by_coordinates(distances, length, side?).map(Placement::Cartesian);
+            }
             let length = distances_have_a_bar(scope, name, carrier?)?;
             let [first, second] = values;
             let distances = [first?, second?];
@@ -136,6 +139,53 @@ fn place(
             Some(Placement::Distances { distances, length, side: side? })
         }
     }
+}
+
+/// The place that is written in the frame of a drawn link, in that of the link's group.
+fn in_the_frame_of_its_group(
+    scope: &Scope<'_>,
+    name: &Ident,
+    carrier: Option<Carrier>,
+    place: Placement,
+) -> Placement {
+    let is_told_there = scope.drawn.is_some_and(|drawn| drawn.placed.contains(name));
+    let shift = carrier.and_then(|carrier| scope.mechanism.frame_shift(carrier));
+    let Some(shift) = shift.filter(|_| !is_told_there) else { return place };
+    match place {
+        Placement::Cartesian(at) => Placement::Cartesian(shift.place(at)),
+        Placement::Polar(radius, angle) => {
+            let along = [Function::Cos, Function::Sin].map(|function| {
+                let part = Scalar::call(function, vec![angle.clone()]);
+                part.map(|part| radius.clone().times(part)).unwrap_or_else(Scalar::zero)
+            });
+            Placement::Cartesian(shift.place(along))
+        }
+        Placement::Distances { distances: [first, second], length, side } if shift.is_reversed => {
+            let side = if side == Sign::Plus { Sign::Minus } else { Sign::Plus };
+            Placement::Distances { distances: [second, first], length, side }
+        }
+        Placement::Distances { .. } => place,
+    }
+}
+
+/// The length between the first two pins of a drawn link, where no group has it as a bar between them.
+fn length_as_drawn(scope: &mut Scope<'_>, carrier: Carrier) -> Option<Scalar> {
+    let (Some(drawn), Carrier::Link(link)) = (scope.drawn, carrier) else { return None };
+    let length = drawn.length_of(&scope.mechanism.links[link.index()].name)?;
+    numbers::length(scope, length)
+}
+
+/// Distances from both ends of a bar as coordinates from its first. With a, b from both and l between them,
+/// x = (l + (a − b)(a + b)/l)/2 and y² = (a − x)(a + x). `None` where constants do not meet.
+fn by_coordinates(distances: [Length; 2], length: Scalar, side: Sign) -> Option<[Scalar; 2]> {
+    let [a, b] = distances.map(|distance| distance.value);
+    let square = a.clone().minus(b.clone()).times(a.clone().plus(b));
+    let two = Scalar::Constant(Exact::integer(2));
+    let along = square.combined(Operator::Div, length.clone())?;
+    let x = length.plus(along).combined(Operator::Div, two)?;
+    let square = a.clone().minus(x.clone()).times(a.plus(x.clone()));
+    let y = Scalar::call(Function::Sqrt, vec![square])?;
+    Some([x, if side == Sign::Plus { y } else { y.negated() }])
 }
 
 /// Reports a point in ground axes that no input moves: its link was forgotten.

@@ -38,10 +38,6 @@ impl Rules for Solve {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         solve(scope, self);
     }
-
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        self.equation.iter_mut().flatten().chain(&mut self.near).collect()
-    }
 }
 
 fn solve(scope: &mut Scope<'_>, solve: &Solve) {

@@ -7,7 +7,6 @@ use crate::syntax::anatomy::{FieldRule, GroupSpec, Pin, optional};
 use crate::syntax::tree::{Expr, GroupStatement, SpringStatement};
 
 use crate::model::acting::{Ends, Magnitude, Spring};
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{self, Carrier, Dimension, PointId, SpringId};
 use crate::model::names::{Entity, Kind};
 use crate::model::parts_of_groups::Fields;
@@ -76,10 +75,6 @@ impl Rules for SpringStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        shifts.group(&mut self.fields);
     }
 }
 

@@ -8,7 +8,6 @@ use crate::syntax::tree::{Expr, StopStatement};
 
 use crate::model::acting::{Magnitude, Stop, Stopped};
 use crate::model::as_written::text;
-use crate::model::frames_of_groups::FramesOfGroups;
 use crate::model::mechanism::{AngleSum, Dimension, Scalar, StopId};
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
@@ -58,11 +57,6 @@ impl Rules for StopStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn shift(&mut self, shifts: &dyn FramesOfGroups) {
-        self.of = shifts.expr(&self.of);
-        shifts.group(&mut self.fields);
     }
 }
 

@@ -29,10 +29,6 @@ impl Rules for TorqueStatement {
     fn acts(&self) -> bool {
         true
     }
-
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        vec![&mut self.value]
-    }
 }
 
 impl Rules for TorqueBetweenStatement {
@@ -51,10 +47,6 @@ impl Rules for TorqueBetweenStatement {
 
     fn acts(&self) -> bool {
         true
-    }
-
-    fn expressions_mut(&mut self) -> Vec<&mut Expr> {
-        vec![&mut self.value]
     }
 }
 
