@@ -65,6 +65,12 @@ impl<'s> GroupScope<'s> {
         symbol
     }
 
+    /// The same where the symbol is no local for the sake of its name.
+    pub(super) fn note(&self, letter: &str, symbol: Sym<'s>) -> Sym<'s> {
+        self.builder.note(symbol, format!("{} {letter}", self.title));
+        symbol
+    }
+
     pub(super) fn call_vector(&self, letter: &str, vector: Vector<'s>) -> Vector<'s> {
         self.label(&format!("{letter} x"), vector.x);
         self.label(&format!("{letter} y"), vector.y);

@@ -10,7 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::construct::{Maker, Rule, remade};
-use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, ImplicitId, Node};
+use crate::ir::graph::{Check, ConstantId, Graph, Guard, Id, ImplicitId, Letter, Node};
 use crate::ir::implicit::Implicit;
 use crate::ir::liveness::{Path, live, live_nodes};
 
@@ -69,7 +69,7 @@ impl<'s> GraphBuilder<'s> {
                 node => maker.remake(id, node, to),
             };
             if let Some(name) = maker.graph.name_of(id).filter(|_| new != id) {
-                let name = name.to_string();
+                let name = name.clone();
                 maker.graph.name(new, name);
             }
             Some(new)
@@ -111,8 +111,13 @@ impl<'s> GraphBuilder<'s> {
     }
 
     /// Gives the symbol a name in the generated code.
-    pub(crate) fn name(&self, sym: Sym<'s>, name: String) {
-        self.graph.borrow_mut().name(sym.id, name);
+    pub(crate) fn name(&self, sym: Sym<'s>, text: String) {
+        self.graph.borrow_mut().name(sym.id, Letter { text, is_in_passing: false });
+    }
+
+    /// The same where the symbol is no local for the sake of its name.
+    pub(crate) fn note(&self, sym: Sym<'s>, text: String) {
+        self.graph.borrow_mut().name(sym.id, Letter { text, is_in_passing: true });
     }
 
     /// Sets whether conditions are left out of what is made from now on.

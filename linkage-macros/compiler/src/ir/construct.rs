@@ -88,7 +88,7 @@ pub(crate) fn rebuild_with(
             }
         };
         if let Some(name) = old.name_of(id) {
-            maker.graph.name(new, name.to_string());
+            maker.graph.name(new, name.clone());
         }
         moved.0[id.index()] = Some(new);
     }

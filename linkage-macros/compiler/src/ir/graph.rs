@@ -87,6 +87,14 @@ impl OperandForm {
 }
 
 /// See the module's documentation.
+/// The name of a value in formulas.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Letter {
+    pub text: String,
+    /// True if the value is no local for the sake of its name.
+    pub is_in_passing: bool,
+}
+
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
@@ -96,7 +104,7 @@ pub(crate) struct Graph {
     node_ids: Map<Node, Id>,
     constant_ids: Map<Exact, ConstantId>,
     /// Names of values in formulas; most values have none.
-    names: Map<Id, String>,
+    names: Map<Id, Letter>,
     has_trials: bool,
 }
 
@@ -176,14 +184,19 @@ impl Graph {
         Some((solve, *sought))
     }
 
-    /// Gives the value a name, for whoever reads the generated code; the first one stays.
-    pub(crate) fn name(&mut self, id: Id, name: String) {
-        self.names.or_insert(id, name);
+    /// Gives the value a name, for whoever reads the generated code. The first one stays, but for one in passing.
+    pub(crate) fn name(&mut self, id: Id, letter: Letter) {
+        match self.names.get(&id) {
+            Some(known) if !known.is_in_passing || letter.is_in_passing => {}
+            _ => {
+                self.names.insert(id, letter);
+            }
+        }
     }
 
     /// Name of the value in formulas.
-    pub(crate) fn name_of(&self, id: Id) -> Option<&str> {
-        self.names.get(&id).map(|name| &name[..])
+    pub(crate) fn name_of(&self, id: Id) -> Option<&Letter> {
+        self.names.get(&id)
     }
 
     /// The value under the guard.

@@ -45,11 +45,14 @@ pub(super) fn with_letters<'s>(
     let mut locals = components.clone();
     let mut taken: HashSet<String> = components.names.values().cloned().collect();
     for id in statements.into_iter().flat_map(defines) {
-        let Some(letter) = graph.name_of(id).filter(|name| name.is_ascii()) else { continue };
+        let Some(letter) = graph.name_of(id).filter(|name| name.text.is_ascii()) else { continue };
         if locals.names.get(&id).is_some() {
             continue;
         }
-        let stem = stem(letter);
+        if letter.is_in_passing {
+            locals.in_passing.insert(id);
+        }
+        let stem = stem(&letter.text);
         let numbered = (2..).map(|number| format!("{stem}{number}_"));
         let mut names = std::iter::once(stem.clone()).chain(numbered);
         let free = names.find(|name| taken.insert(name.clone()));

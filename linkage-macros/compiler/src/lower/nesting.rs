@@ -48,7 +48,7 @@ pub(super) fn nest(
         }
         while let Some(&(Instruction::Let(last), within)) = kept.last()
             && reads[last.index()] == 1
-            && locals.names.get(&last).is_none()
+            && (locals.names.get(&last).is_none() || locals.in_passing.contains(&last))
             && operations + within <= MOST
             && let Some(place) = operands.iter().position(|&operand| operand == last)
         {

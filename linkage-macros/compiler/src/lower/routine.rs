@@ -225,6 +225,8 @@ pub(crate) struct Locals {
     pub names: Map<Id, String>,
     /// Components of results: these are bound to a name even where a sign alone makes them.
     pub components: Set<Id>,
+    /// Those that are no locals for the sake of their names.
+    pub in_passing: Set<Id>,
     /// Values that a function is given in place of their operands.
     pub given: Set<Id>,
     /// Values written where they are read, without a name.

@@ -160,7 +160,7 @@ fn rrr<'s>(
     let bars = |joints: [PointMotion<'s>; 2], r: [Vector<'s>; 2]| {
         [0, 1].map(|k| Bar::new(joints[k], r[k], lengths[k], triangle.over_length(k)))
     };
-    let r = triangle.bars();
+    let r = triangle.bars(scope);
     let turning = triangle.turning(scope, bars(seen, r), lengths);
     let r = r.map(|r| frame.vector(r.x, r.y));
     scope.call_vector("r2", r[0]);

@@ -43,8 +43,11 @@ impl<'s> Triangle<'s> {
     }
 
     /// r₂ and r₃.
-    pub(super) fn bars(&self) -> [Vector<'s>; 2] {
-        self.both(self.line, self.height * self.line.normal())
+    pub(super) fn bars(&self, scope: &GroupScope<'s>) -> [Vector<'s>; 2] {
+        let across = self.height * self.line.normal();
+        scope.note("h n x", across.x);
+        scope.note("h n y", across.y);
+        self.both(self.line, across)
     }
 
     /// Images of both bars under a linear map, given those of d and h d⊥.
@@ -88,7 +91,7 @@ pub(super) fn triangle<'s>(
     let line = scope.call_vector("d", joints[0].to(joints[1]));
     let is_compensated = scope.numerics == Numerics::Compensated;
     let crank = if is_compensated { None } else { CrankPin::of(joints) };
-    let plain = crank.map_or_else(|| line.dot(line), CrankPin::square);
+    let plain = scope.note("d d", crank.map_or_else(|| line.dot(line), CrankPin::square));
     let square = plain.guarded_by(Check::SquareOfCentres, scope.group, &[line.x, line.y, l2, l3]);
     let over_square = scope.label("inverse d2", scope.label("d2", square).recip());
     let factors = match (is_compensated, crank) {
@@ -113,9 +116,8 @@ pub(super) fn triangle<'s>(
         // From i like J²: its rounding acts like one of d, and the bars keep their lengths.
         let decided = |name, share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
             let operands = [height.rounded, line.x, line.y, near, far, height.spread];
-            let along =
-                (share * over_square).guarded_by(Check::ShareOfCentres, scope.group, &operands);
-            scope.label(name, along)
+            let share = scope.note(&format!("{name} share"), share * over_square);
+            scope.label(name, share.guarded_by(Check::ShareOfCentres, scope.group, &operands))
         };
         [decided("a", shares[0], [l2, l3]), decided("b", shares[1], [l3, l2])]
     };
@@ -188,7 +190,7 @@ impl<'s> Height<'s> {
         } else {
             (over_product, product, one.twice(), over_product)
         };
-        let rounded = (near * scale) * (far * scale);
+        let rounded = scope.note("j j", (near * scale) * (far * scale));
         let spread = match scope.numerics {
             // Factors that are wrong by last places of themselves.
             Numerics::Compensated => d.x.builder().zero(),
@@ -198,7 +200,8 @@ impl<'s> Height<'s> {
         let circles = [d.x, d.y, l2, l3, unit, spread];
         let square = rounded.guarded_by(Check::ReachCircles, scope.group, &circles);
         let root = mode * square.sqrt();
-        let by_root = root * square.guarded_by(Check::Nonzero, scope.group, &[]).recip();
+        let not_zero = square.guarded_by(Check::Nonzero, scope.group, &[]);
+        let by_root = root * scope.note("j2 not zero", not_zero).recip();
         scope.label("j2", square);
         scope.label("j", root);
         let height = scope.label("h", root * (area * over_square));

@@ -127,12 +127,17 @@ impl<'s> Triangle<'s> {
     /// Behind a crank.
     fn swinging(&self, scope: &GroupScope<'s>, crank: CrankPin<'s>) -> [(Sym<'s>, Sym<'s>); 2] {
         let (omega, alpha) = (crank.swing.omega, crank.swing.alpha);
-        let [dots, [cross2, cross3]] = self.products(crank.along(), crank.across);
-        let turning = omega * self.inverse;
+        let along = scope.note("a dot d", crank.along());
+        let across = scope.note("d cross a", crank.across);
+        let [[dot2, dot3], [cross2, cross3]] = self.products(along, across);
+        let turning = scope.note("omega1 j", omega * self.inverse);
         let rates = [turning * cross3, turning * cross2];
-        let square = omega.squared();
-        let g = [(dots[1], cross3), (dots[0], cross2)];
+        let square = scope.note("omega1 squared", omega.squared());
+        let g = [(dot3, cross3), (dot2, cross2)];
         let g = g.map(|(dot, cross)| square * dot + alpha * cross);
+        let own = [("r2 dot a", dot2), ("r3 dot a", dot3), ("r2 cross a", cross2)];
+        let own = own.into_iter().chain([("r3 cross a", cross3), ("g r3", g[0]), ("g r2", g[1])]);
+        own.for_each(|(letter, symbol)| drop(scope.note(letter, symbol)));
         self.rates(scope, rates, g, -(turning * crank.across))
     }
 
