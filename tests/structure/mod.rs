@@ -2,6 +2,7 @@
 //! name means one thing, and that no file or function is long. What stands in comments and tests does not count.
 
 mod comments;
+mod impls;
 mod imports;
 mod lengths;
 mod names;

@@ -1,12 +1,14 @@
 //! Production files, read as the compiler reads them: from each crate's root along its modules,
 //! without what is compiled for tests alone. They are parsed once for all tests.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use syn::{Attribute, File, ImplItem, Item, Meta, TraitItem};
 
+use super::impls::impls;
 use super::imports::Imports;
 use super::lengths::long_functions;
 use super::names::types;
@@ -22,6 +24,7 @@ pub(crate) struct Source {
     pub imports: Imports,
     pub long_functions: Vec<String>,
     pub types: Vec<String>,
+    pub impls: BTreeSet<String>,
     pub said: Said,
 }
 
@@ -33,6 +36,7 @@ impl Source {
             imports: Imports::of(module, file),
             long_functions: long_functions(file),
             types: types(file),
+            impls: impls(file),
             said: said(file),
         }
     }

@@ -5,6 +5,7 @@ use quote::format_ident;
 
 use crate::model::acting::Effort;
 use crate::model::drawn_sliding;
+use crate::model::driven_through::driven_through;
 use crate::model::mechanism::{Body, Group, JointKind, LinkId, Mechanism, PointId, Slideway};
 use crate::model::scope::Scope;
 
@@ -22,7 +23,7 @@ pub(super) fn exerted<'s>(
     efforts_of(scope, link).into_iter().filter(|(_, effort)| match effort {
         Effort::Drive(link) => {
             !scope.mechanism.is_driven_by_an_unknown(*link)
-                && scope.mechanism.driven_through(*link).is_none()
+                && driven_through(&scope.mechanism, *link).is_none()
         }
         _ => true,
     })

@@ -12,7 +12,7 @@
 //! | `names`, `facts`, `scope` | all that is declared so far |
 //! | `uses`, `declared`, `kinds`, `meant` | names where they are used, links and points where they are made |
 //! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `loads_in_forces`, `readings`, `expressions`, `numbers` | expressions |
-//! | `effort_dimensions`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given` | efforts, and what is asked for |
+//! | `effort_dimensions`, `driven_through`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given` | efforts, and what is asked for |
 //! | `fields`, `modes`, `same_expression`, `opposite_sides`, `jointed`, `assembly`, `coincidence` | what the groups share |
 //! | `statements` | a file a statement |
 //! | `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
@@ -39,6 +39,7 @@ mod drawn_links;
 mod drawn_relations;
 mod drawn_sliding;
 mod driven;
+mod driven_through;
 mod dynamics_outputs;
 mod effort;
 pub(crate) mod effort_dimensions;

@@ -8,6 +8,7 @@ use crate::syntax::openings::OPENINGS;
 
 use crate::model::acting::{Ends, RequestedEffort};
 use crate::model::dimension::Dimension;
+use crate::model::driven_through::driven_through;
 use crate::model::effort::Effort;
 use crate::model::mechanism::{self, InputId, LinkId, OutputKind, SpringId, StopId};
 use crate::model::names::{Entity, Kind};
@@ -179,7 +180,7 @@ pub(in crate::model) fn link_has_a_drive(
     owner: &Ident,
     link: LinkId,
 ) -> Option<()> {
-    let Some((input, load)) = scope.mechanism.driven_through(link) else { return Some(()) };
+    let Some((input, load)) = driven_through(&scope.mechanism, link) else { return Some(()) };
     let input = &scope.mechanism.inputs[input.index()].name;
     let message =
         format!("`{load}` drives `{owner}` by `{input}`; ask for `{load}`", load = load.name);

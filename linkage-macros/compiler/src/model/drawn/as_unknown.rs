@@ -23,7 +23,7 @@ use crate::model::drawn_links::RodEnd;
 impl Writer<'_, '_> {
     /// The unknown that drives a body.
     pub(super) fn unknown(&self, body: usize) -> Expr {
-        let span = self.name(body).span();
+        let span = self.frames.name(body).span();
         let named = |name: &Ident| Expr {
             kind: ExprKind::Name(Ident::new(&name.to_string(), span)),
             span: span.into(),
@@ -41,16 +41,16 @@ impl Writer<'_, '_> {
         let links = search.steps.iter().flat_map(bodies_of).chain([search.left_out]);
         let links = links.chain(search.held.map(|(body, _)| body));
         let behind = links.map(|body| self.bodies.link(body).statement).max().unwrap_or(0);
-        self.searching = Some((self.searches.len(), behind));
+        let begin = self.written.len();
         let is_angle = matches!(search.steps[0], Found::Crank { .. });
-        let span = self.name(search.left_out).span();
+        let span = self.frames.name(search.left_out).span();
         let unknown = self.free_name(span);
         let drawn = self.drawn(&search.steps[0]);
         let traced = search.following.as_ref().and_then(|following| {
             let drive = self.bodies.drives.first()?.1.value.clone();
             let drawn = DrawnValues { drive: self.bodies.drawn_value(0)?, unknown: drawn };
             let names = traced_names(&mut self.names, &unknown);
-            let fitted = Fitted { pen: &self.pen, following, drive, drawn, is_angle };
+            let fitted = Fitted { pen: &self.frames.pen, following, drive, drawn, is_angle };
             fitted.statements(&names).into_iter().for_each(|kind| self.put(behind, kind));
             Some(names.traced)
         });
@@ -69,12 +69,19 @@ impl Writer<'_, '_> {
             StatementKind::Unknown(UnknownStatement { name, kind, between: Some(ends) }),
         );
         search.steps.iter().for_each(|step| self.step(step));
-        let Pair::Pin(first) = search.joints[0] else { return };
-        match search.joints[1] {
-            Pair::Pin(second) => self.distance(search, &unknown, [first, second]),
-            Pair::Slide(slide) => self.offset_of(search, &unknown, first, slide),
+        match search.joints {
+            [Pair::Pin(first), Pair::Pin(second)] => {
+                self.distance(search, &unknown, [first, second]);
+            }
+            [Pair::Pin(first), Pair::Slide(slide)] => {
+                self.offset_of(search, &unknown, first, slide);
+            }
+            [Pair::Slide(_), _] => {}
         }
-        self.searching = None;
+        let index = self.searches.len() - 1;
+        for written in &mut self.written[begin..] {
+            (written.search, written.behind) = (Some(index), behind);
+        }
     }
 
     /// The stretches that were followed: of each input that moves anything, or of the first drive.
@@ -121,10 +128,10 @@ impl Writer<'_, '_> {
     /// An end of an interval, to a thousandth of a degree or seven digits.
     fn end(&self, value: f64, is_angle: bool) -> Expr {
         match is_angle {
-            true => self.pen.float((value.to_degrees() * 1e3).round() / 1e3, "deg"),
+            true => self.frames.pen.float((value.to_degrees() * 1e3).round() / 1e3, "deg"),
             false => {
                 let unit = 10_f64.powi(value.abs().max(1e-9).log10().floor() as i32 - 6);
-                self.pen.float((value / unit).round() * unit, "m")
+                self.frames.pen.float((value / unit).round() * unit, "m")
             }
         }
     }
@@ -154,24 +161,28 @@ impl Writer<'_, '_> {
     /// The equation of a block, and the block behind it.
     fn offset_of(&mut self, search: &SearchedGroup, unknown: &Ident, pin: usize, slide: usize) {
         let body = search.left_out;
-        let guide = self.guide_of(slide);
-        let (offset, rail) = (self.offset(guide, pin), self.rail(slide, body));
+        let guide = self.frames.guide_of(slide);
+        let (offset, rail) = (self.frames.offset(guide, pin), self.rail(slide, body));
         let name = self.bodies.pins[pin].name.clone();
         self.solve(search, unknown, ("offset", [&name, &rail]), offset.text.clone());
-        let block = self.block(body, self.name(body), search.joints[0]);
-        let pen = self.pen.at(self.name(body).span());
+        let block = self.block(body, self.frames.name(body), search.joints[0]);
+        let pen = self.frames.pen.at(self.frames.name(body).span());
         let slot = pen.float(90.0, "deg");
         let mut fields = vec![("slot", GroupFieldValue::One(slot))];
         fields.extend(self.offsets([offset.clone(), pen.zero()]));
-        let group =
-            group_of("rpp", vec![(block, name), (self.name(body).clone(), rail)], None, fields);
+        let group = group_of(
+            "rpp",
+            vec![(block, name), (self.frames.name(body).clone(), rail)],
+            None,
+            fields,
+        );
         self.put(0, StatementKind::Group(group));
         // The link's frame begins at the foot of its pin on the rail.
         let line = self.bodies.guides[guide].line.clone();
         let (begins, origin) = match offset.is_zero() {
-            true => (Origin::Pin(pin), self.place(pin).clone()),
+            true => (Origin::Pin(pin), self.frames.place(pin).clone()),
             false => {
-                let from = pen.minus(self.place(pin), &line.through);
+                let from = pen.minus(self.frames.place(pin), &line.through);
                 let [along, _] = pen.seen_from(&line.along, &from);
                 let axis = DrawnFrame {
                     begins: Origin::Guide(guide),
@@ -182,7 +193,7 @@ impl Writer<'_, '_> {
                 (Origin::Guide(guide), axis.placed(&pen, &[along, pen.zero()]))
             }
         };
-        let counted = self.counted_on_rail(slide, body);
+        let counted = self.frames.counted_on_rail(slide, body);
         let frame = DrawnFrame { begins, points: line.points, origin, axis: line.along };
         self.settle(body, frame, counted);
         self.slide_is_made(slide, body, None);
@@ -217,7 +228,7 @@ impl Writer<'_, '_> {
         let [from, to] = pins.map(|pin| self.bodies.pins[pin].name.clone());
         let block = self.block(body, &name, Pair::Pin(pins[1]));
         let fields = vec![self.mode(body, "ahead")];
-        self.turns.join(&name, &from);
+        self.frames.turns.join(&name, &from);
         let group = group_of("rpr", vec![(block, to), (name, from)], None, fields);
         self.put(behind, StatementKind::Group(group));
     }
@@ -227,7 +238,7 @@ impl Writer<'_, '_> {
         let name = self.names.made(format!("{link}_end"), "_end", link.span());
         self.hide(name.clone(), &[]);
         if let Pair::Pin(pin) = at {
-            let (link, pin) = (self.name(body).clone(), self.bodies.pins[pin].name.clone());
+            let (link, pin) = (self.frames.name(body).clone(), self.bodies.pins[pin].name.clone());
             self.links.ends.push(RodEnd { block: name.clone(), link, pin });
         }
         name
@@ -235,7 +246,7 @@ impl Writer<'_, '_> {
 
     /// Remembers a name that nobody has written, and the links that it stands for.
     pub(super) fn hide(&mut self, name: Ident, links: &[usize]) {
-        let links = links.iter().map(|&body| self.name(body).clone());
+        let links = links.iter().map(|&body| self.frames.name(body).clone());
         self.links.hidden.push((name, links.collect()));
     }
 

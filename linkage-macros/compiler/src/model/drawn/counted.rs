@@ -9,9 +9,9 @@ use crate::chain::machine::GROUND;
 use crate::chain::plane::Complex;
 
 use crate::model::drawn::figures::{Figure, Pen};
-use crate::model::drawn::writer::Writer;
+use crate::model::drawn::group_frames::GroupFrames;
 
-impl Writer<'_, '_> {
+impl GroupFrames<'_, '_> {
     /// The direction of an axis on a body, which nothing counts.
     pub(super) fn uncounted(&self, body: usize, [x, y]: &[Figure; 2]) -> f64 {
         let turn = self.bodies.displacements.get(body).map_or(0.0, |moved| moved.turn);

@@ -22,14 +22,14 @@ impl Writer<'_, '_> {
             }
             _ => {
                 let body = leg.bodies[0];
-                DrawnBar::Link { body, pins, length: self.length(body, pins[0], pins[1]) }
+                DrawnBar::Link { body, pins, length: self.frames.length(body, pins[0], pins[1]) }
             }
         }
     }
 
     pub(super) fn bar_name(&self, bar: &DrawnBar) -> Ident {
         match bar {
-            DrawnBar::Link { body, .. } => self.name(*body).clone(),
+            DrawnBar::Link { body, .. } => self.frames.name(*body).clone(),
             DrawnBar::Held(bar) => bar.name.clone(),
         }
     }
@@ -59,8 +59,8 @@ impl Writer<'_, '_> {
     pub(super) fn held_bar(&mut self, links: [usize; 2], held: Held, pins: [usize; 2]) -> HeldBar {
         let [first, second] = links;
         let name = self.free_bar_name(links);
-        let pen = self.pen.at(name.span());
-        let places = [pins[0], held.pivot, pins[1]].map(|pin| self.place(pin).clone());
+        let pen = self.frames.pen.at(name.span());
+        let places = [pins[0], held.pivot, pins[1]].map(|pin| self.frames.place(pin).clone());
         let vectors = [pen.minus(&places[1], &places[0]), pen.minus(&places[2], &places[1])];
         let [a, b] = vectors.each_ref().map(|vector| pen.size(vector));
         let angles = [0, 1].map(|i| {
@@ -102,7 +102,7 @@ impl Writer<'_, '_> {
         self.made[pivot] = true;
         self.put(behind, kind);
         for (link, from, to) in [(first, from, pivot), (second, pivot, to)] {
-            self.rod(behind, (self.name(link).clone(), link), [from, to]);
+            self.rod(behind, (self.frames.name(link).clone(), link), [from, to]);
             self.bar_is_placed(link, from, to);
             self.pin_is_elsewhere(link, to);
         }
@@ -111,7 +111,7 @@ impl Writer<'_, '_> {
 
     /// A name for the bar that nothing has.
     fn free_bar_name(&mut self, links: [usize; 2]) -> Ident {
-        let [first, second] = links.map(|body| self.name(body));
+        let [first, second] = links.map(|body| self.frames.name(body));
         let name = self.names.made(format!("{first}_{second}"), "_bar", first.span());
         self.hide(name.clone(), &links);
         name

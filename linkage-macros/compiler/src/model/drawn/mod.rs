@@ -21,6 +21,7 @@ mod frame_shifts;
 mod frames;
 mod framing;
 pub(super) mod free_names;
+mod group_frames;
 mod group_statement;
 mod held;
 mod incidences;

@@ -6,19 +6,20 @@ use crate::syntax::tree::Expr;
 
 use crate::model::drawn::figures::Figure;
 use crate::model::drawn::frames::{Heading, Origin};
-use crate::model::drawn::writer::Writer;
+use crate::model::drawn::group_frames::GroupFrames;
 use crate::model::drawn_links::{BarFound, PinFound};
 
-impl Writer<'_, '_> {
+impl GroupFrames<'_, '_> {
     /// The bars between the first two pins of links that no group has as such bars.
-    pub(super) fn bars_between_pins(&self) -> Vec<BarFound> {
+    pub(super) fn bars_between_pins(&self, bars: &[usize]) -> Vec<BarFound> {
         let bodies = 1..self.bodies.machine.bodies.len();
-        bodies.filter_map(|body| self.bar_between_pins(body)).collect()
+        let others = bodies.filter(|body| !bars.contains(body));
+        others.filter_map(|body| self.bar_between_pins(body)).collect()
     }
 
     /// The lengths between the first two pins of links that no group has as bars between them.
-    pub(super) fn lengths_between_pins(&self) -> Vec<(Ident, Expr)> {
-        let bodies = (1..self.bodies.machine.bodies.len()).filter(|body| !self.bars.contains(body));
+    pub(super) fn lengths_between_pins(&self, bars: &[usize]) -> Vec<(Ident, Expr)> {
+        let bodies = (1..self.bodies.machine.bodies.len()).filter(|body| !bars.contains(body));
         let lengths = bodies.filter_map(|body| {
             let link = self.bodies.link(body);
             let (&[first, second, ..], false) = (&link.pins[..], link.is_given) else {
@@ -43,7 +44,7 @@ impl Writer<'_, '_> {
     fn bar_between_pins(&self, body: usize) -> Option<BarFound> {
         let (link, own) = (self.bodies.link(body), self.own[body].as_ref()?);
         let (&[first, second, ..], false) = (&link.pins[..], link.is_given) else { return None };
-        if self.bars.contains(&body) || matches!(link.length, Some((_, None))) {
+        if matches!(link.length, Some((_, None))) {
             return None;
         }
         let pen = self.pen.at(link.name.span());
@@ -62,9 +63,9 @@ impl Writer<'_, '_> {
         Some(BarFound { link: link.name.clone(), middle, length: length.text })
     }
 
-    /// Remembers where a pin of a link is that its group makes elsewhere.
-    pub(super) fn pin_is_elsewhere(&mut self, body: usize, pin: usize) {
-        let (link, Some(own)) = (self.bodies.link(body), &self.own[body]) else { return };
+    /// Where a pin of a link is that its group makes elsewhere.
+    pub(super) fn pin_elsewhere(&self, body: usize, pin: usize) -> Option<PinFound> {
+        let (link, own) = (self.bodies.link(body), self.own[body].as_ref()?);
         let pen = self.pen.at(link.name.span());
         let at = match (&link.length, &link.pins[..], own.points) {
             (Some((length, _)), &[near, far], Heading::Pins(from, to))
@@ -77,6 +78,6 @@ impl Writer<'_, '_> {
             _ => own.local(&pen, self.place(pin)).map(|number| number.text),
         };
         let (link, pin) = (link.name.clone(), self.bodies.pins[pin].name.clone());
-        self.links.pins.push(PinFound { link, pin, at });
+        Some(PinFound { link, pin, at })
     }
 }

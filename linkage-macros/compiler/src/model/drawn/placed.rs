@@ -64,17 +64,18 @@ pub(super) fn report_distances_apart(
 
 impl Writer<'_, '_> {
     pub(super) fn bar_is_placed(&mut self, body: usize, from: usize, to: usize) {
-        let origin = self.place(from).clone();
-        let axis = self.pen.at(self.name(body).span()).minus(self.place(to), &origin);
+        let origin = self.frames.place(from).clone();
+        let axis =
+            self.frames.pen.at(self.frames.name(body).span()).minus(self.frames.place(to), &origin);
         let (begins, points) = (Origin::Pin(from), Heading::Pins(from, to));
-        let counted = self.uncounted(body, &axis);
+        let counted = self.frames.uncounted(body, &axis);
         self.settle(body, DrawnFrame { begins, points, origin, axis }, counted);
     }
 
     /// A block with its pin on a rail.
     pub(super) fn block_on_rail(&mut self, slide: usize, body: usize, pin: usize) {
-        let counted = self.counted_on_rail(slide, body);
-        self.block_is_placed(body, pin, (self.guide_of(slide), counted));
+        let counted = self.frames.counted_on_rail(slide, body);
+        self.block_is_placed(body, pin, (self.frames.guide_of(slide), counted));
     }
 
     pub(super) fn block_is_placed(
@@ -84,7 +85,7 @@ impl Writer<'_, '_> {
         (guide, counted): (usize, f64),
     ) {
         let line = self.bodies.guides[guide].line.clone();
-        let origin = self.place(pin).clone();
+        let origin = self.frames.place(pin).clone();
         let frame =
             DrawnFrame { begins: Origin::Pin(pin), points: line.points, origin, axis: line.along };
         self.settle(body, frame, counted);
@@ -94,14 +95,14 @@ impl Writer<'_, '_> {
     pub(super) fn settle(&mut self, body: usize, frame: DrawnFrame, counted: f64) {
         let (bodies, link) = (self.bodies, self.bodies.link(body));
         let length = link.length.as_ref().map(|(length, _)| *length);
-        self.own[body] = Some(frame.clone());
-        self.counted[body] = Some(counted);
-        self.turns.note(link.name, &bodies.frames[body], (&frame, counted), length);
+        self.frames.own[body] = Some(frame.clone());
+        self.frames.counted[body] = Some(counted);
+        self.frames.turns.note(link.name, &bodies.frames[body], (&frame, counted), length);
         let ends: Option<[usize; 2]> = length.and_then(|_| link.pins[..].try_into().ok());
         for &pin in &link.points {
             let place = &bodies.pins[pin];
             if !std::mem::replace(&mut self.made[pin], true) {
-                self.turns.join(link.name, &place.name);
+                self.frames.turns.join(link.name, &place.name);
             } else {
                 self.replaced.push(place.name.clone());
                 let is_at_distances = matches!(place.on, Some((_, PointPlace::Distances(..))));
@@ -120,22 +121,22 @@ impl Writer<'_, '_> {
                     self.far_end(&frame, ends, length)
                 }
                 (Some(length), Some([near, far])) => {
-                    let pen = self.pen.at(name.span());
-                    let along = pen.minus(self.place(far), self.place(near));
+                    let pen = self.frames.pen.at(name.span());
+                    let along = pen.minus(self.frames.place(far), self.frames.place(near));
                     let along = frame.local_direction(&pen, &along);
                     let size = pen.size(&along);
                     let axis = match frame.points {
                         Heading::Pins(from, to) if [from, to] == [near, far] => pen.x_axis(),
                         _ => along.map(|part| pen.div(&part, &size)),
                     };
-                    self.turns.near_end(&pen, length, &axis)
+                    self.frames.turns.near_end(&pen, length, &axis)
                 }
                 _ => frame
-                    .local(&self.pen.at(name.span()), self.place(pin))
+                    .local(&self.frames.pen.at(name.span()), self.frames.place(pin))
                     .map(|number| number.text),
             };
             let (on, place) = (Some(link.name.clone()), PointPlace::Cartesian(place));
-            self.turns.join(link.name, &name);
+            self.frames.turns.join(link.name, &name);
             self.links.placed.insert(name.clone());
             let kind = StatementKind::Point(PointStatement { name, on, place });
             self.put(link.statement, kind);
@@ -144,12 +145,12 @@ impl Writer<'_, '_> {
 
     /// The place of the far end of a declared length, in a frame that does not depend on it.
     fn far_end(&self, frame: &DrawnFrame, [near, far]: [usize; 2], length: &Expr) -> [Expr; 2] {
-        let pen = self.pen.at(self.bodies.pins[far].name.span());
-        let along = pen.minus(self.place(far), self.place(near));
+        let pen = self.frames.pen.at(self.bodies.pins[far].name.span());
+        let along = pen.minus(self.frames.place(far), self.frames.place(near));
         let along = frame.local_direction(&pen, &along);
         let size = pen.size(&along);
         let length = Figure::length(length.clone(), f64::NAN, None);
         let way = along.map(|part| pen.mul(&length, &pen.div(&part, &size)));
-        pen.plus(&frame.local(&pen, self.place(near)), &way).map(|number| number.text)
+        pen.plus(&frame.local(&pen, self.frames.place(near)), &way).map(|number| number.text)
     }
 }

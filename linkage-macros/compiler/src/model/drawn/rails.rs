@@ -12,38 +12,21 @@ use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::writer::{Writer, given};
 
 impl Writer<'_, '_> {
-    /// The guide of a slide.
-    pub(super) fn guide_of(&self, slide: usize) -> usize {
-        let earlier = &self.bodies.machine.slides[..slide];
-        let body = self.bodies.machine.slides[slide].body;
-        let nth = earlier.iter().filter(|other| other.body == body).count();
-        self.bodies.link(body).on[nth]
-    }
-
-    /// The distance of a pin from the line of a guide.
-    pub(super) fn offset(&self, guide: usize, pin: usize) -> Figure {
-        let guide = &self.bodies.guides[guide];
-        let pen = self.pen.at(self.bodies.pins[pin].name.span());
-        let from = pen.minus(self.place(pin), &guide.line.through);
-        let [_, offset] = pen.seen_from(&guide.line.along, &from);
-        offset
-    }
-
     /// The guide on which a group's link slides: that of the drawing, or, where the drawing has it on
     /// the link itself, the same line on the body that is known.
     pub(super) fn rail(&mut self, slide: usize, link: usize) -> Ident {
-        let guide = &self.bodies.guides[self.guide_of(slide)];
+        let guide = &self.bodies.guides[self.frames.guide_of(slide)];
         let joint = self.bodies.machine.slides[slide];
         if joint.carrier != link {
             return guide.name.clone();
         }
-        let known = self.name(joint.body);
+        let known = self.frames.name(joint.body);
         let name = self.names.made(format!("{}_on_{known}", guide.name), "_", guide.name.span());
-        let frame = self.own_frame(joint.body);
-        let pen = self.pen.at(guide.name.span());
-        let frame = DrawnFrame { origin: self.beginning(&pen, joint.body, &frame), ..frame };
+        let frame = self.frames.own_frame(joint.body);
+        let pen = self.frames.pen.at(guide.name.span());
+        let frame = DrawnFrame { origin: self.frames.beginning(&pen, joint.body, &frame), ..frame };
         let through = frame.local(&pen, &guide.line.through).map(|number| number.text);
-        let along = self.along_rail(&pen, slide).text;
+        let along = self.frames.along_rail(&pen, slide).text;
         let kind = StatementKind::Guide(GuideStatement {
             name: name.clone(),
             on: Some(known.clone()),
@@ -56,50 +39,38 @@ impl Writer<'_, '_> {
     }
 
     pub(super) fn slider(&mut self, drive: Option<usize>, body: usize, slide: usize) {
-        let guide = self.guide_of(slide);
+        let guide = self.frames.guide_of(slide);
         let pin = self.bodies.link(body).pins.first().copied();
         let value = GroupFieldValue::One(self.slide(drive, body, slide));
         let mut fields = vec![("slide", value)];
-        fields.extend(pin.and_then(|pin| given(self.offset(guide, pin))));
+        fields.extend(pin.and_then(|pin| given(self.frames.offset(guide, pin))));
         let rail = self.rail(slide, body);
         let new = pin.filter(|&pin| !self.made[pin]);
-        let name = self.name(body).clone();
+        let name = self.frames.name(body).clone();
         self.group("slider", &[(body, name, rail)], new, fields, drive);
         let line = &self.bodies.guides[guide].line;
         let (axis, points) = (line.along.clone(), line.points);
         let written = self.bodies.frames[body].clone();
         let (begins, origin) = match pin {
             Some(_) => (written.begins, written.origin),
-            None => self.foot(guide, &written),
+            None => self.frames.foot(guide, &written),
         };
-        let counted = self.counted_on_rail(slide, body);
+        let counted = self.frames.counted_on_rail(slide, body);
         self.settle(body, DrawnFrame { begins, points, origin, axis }, counted);
         self.slide_is_made(slide, body, None);
         self.is_driven_by(drive, body);
     }
 
-    /// Where a frame without a pin begins on its guide: the foot of its origin.
-    fn foot(&self, guide: usize, written: &DrawnFrame) -> (Origin, [Figure; 2]) {
-        let line = &self.bodies.guides[guide].line;
-        let from = self.pen.minus(&written.origin, &line.through);
-        let [along, across] = self.pen.seen_from(&line.along, &from);
-        if across.is_zero() || written.begins == Origin::Guide(guide) {
-            return (written.begins, written.origin.clone());
-        }
-        let way = self.pen.seen_in_ground(&line.along, &[along, self.pen.zero()]);
-        (Origin::Guide(guide), self.pen.plus(&line.through, &way))
-    }
-
     /// A block in the slot of a yoke on a rail.
     pub(super) fn yoke(&mut self, dyad: &Dyad, pin: usize, slot: usize, rail: usize) {
         let [block, yoke] = self.bars(dyad);
-        let guides = [slot, rail].map(|slide| self.guide_of(slide));
+        let guides = [slot, rail].map(|slide| self.frames.guide_of(slide));
         let lines = guides.map(|guide| self.bodies.guides[guide].line.clone());
         let along = lines.each_ref().map(|line| line.along.clone());
-        let pen = self.pen.at(self.name(yoke).span());
+        let pen = self.frames.pen.at(self.frames.name(yoke).span());
         let written = &self.bodies.frames[yoke];
         let slot_of_yoke = &self.bodies.guides[guides[0]];
-        let counted = self.counted_on_rail(rail, yoke);
+        let counted = self.frames.counted_on_rail(rail, yoke);
         let (angle, turned) = match (slot_of_yoke.along, lines[0].angle) {
             (Some(angle), Some(turned))
                 if slot_of_yoke.on == yoke && written.points == lines[1].points =>
@@ -122,14 +93,15 @@ impl Writer<'_, '_> {
             origin: if is_on_rail { written.origin.clone() } else { lines[1].through.clone() },
             axis: along[1].clone(),
         };
-        let [_, offset] = pen.seen_from(&along[0], &pen.minus(self.place(pin), &frame.origin));
+        let [_, offset] =
+            pen.seen_from(&along[0], &pen.minus(self.frames.place(pin), &frame.origin));
         let mut fields = vec![("slot", GroupFieldValue::One(angle))];
         fields.extend(self.offsets([pen.zero(), offset]));
         self.write(dyad, None, fields);
         self.settle(yoke, frame.clone(), counted);
         self.block_is_placed(block, pin, (guides[0], counted + turned));
         self.slide_is_made(rail, yoke, None);
-        self.slide_is_made(slot, block, Some(self.beginning(&pen, yoke, &frame)));
+        self.slide_is_made(slot, block, Some(self.frames.beginning(&pen, yoke, &frame)));
     }
 
     /// How far a driven link is along the guide. One that carries the guide goes the other way.
@@ -140,8 +112,8 @@ impl Writer<'_, '_> {
         if joint.body == body || drive.is_none() {
             return value;
         }
-        let pen = self.pen.at(self.name(body).span());
-        let line = &self.bodies.guides[self.guide_of(slide)].line;
+        let pen = self.frames.pen.at(self.frames.name(body).span());
+        let line = &self.bodies.guides[self.frames.guide_of(slide)].line;
         let along = |body: usize| {
             let from = pen.minus(&self.bodies.frames[body].origin, &line.through);
             let [along, _] = pen.seen_from(&line.along, &from);

@@ -5,10 +5,10 @@ use crate::chain::machine::GROUND;
 
 use crate::model::drawn::figures::{Figure, Pen};
 use crate::model::drawn::frames::{DrawnFrame, Origin};
-use crate::model::drawn::writer::Writer;
+use crate::model::drawn::group_frames::GroupFrames;
 use crate::model::drawn_links::SlideFound;
 
-impl Writer<'_, '_> {
+impl GroupFrames<'_, '_> {
     /// The place in the drawing where the frame begins that a group gave a link. The far end of a declared length is
     /// where that puts it.
     pub(super) fn beginning(&self, pen: &Pen, body: usize, own: &DrawnFrame) -> [Figure; 2] {
@@ -50,9 +50,14 @@ impl Writer<'_, '_> {
         }
     }
 
-    /// Remembers the joint of a group that is a slide of the drawing. The group measures it from a place on the other
-    /// body, in the drawing `from`; `None` where that is the point of the guide.
-    pub(super) fn slide_is_made(&mut self, slide: usize, by: usize, from: Option<[Figure; 2]>) {
+    /// The joint of a group that is a slide of the drawing. The group measures it from a place on the other body, in the
+    /// drawing `from`; `None` where that is the point of the guide.
+    pub(super) fn slide_found(
+        &self,
+        slide: usize,
+        by: usize,
+        from: Option<[Figure; 2]>,
+    ) -> SlideFound {
         let joint = self.bodies.machine.slides[slide];
         let guide = &self.bodies.guides[self.guide_of(slide)];
         let (body, line) = (joint.body, &guide.line);
@@ -75,7 +80,7 @@ impl Writer<'_, '_> {
                 false => (pen.sub(&along, &by_slide), [pen.sub(&by_along, &along), across]),
             }
         };
-        self.links.slides.push(SlideFound {
+        SlideFound {
             link: self.name(body).clone(),
             guide: guide.name.clone(),
             carrier: (joint.carrier != GROUND).then(|| self.name(joint.carrier).clone()),
@@ -84,18 +89,6 @@ impl Writer<'_, '_> {
             shift: shift.text,
             arm: arm.map(|part| part.text),
             is_first: self.bodies.link(body).on[0] == self.guide_of(slide),
-        });
-    }
-
-    /// Remembers a driver that has a drive the other way round than the drawing.
-    pub(super) fn is_driven_by(&mut self, drive: Option<usize>, by: usize) {
-        let Some(drive) = drive else { return };
-        let drives = &self.bodies.machine.drives;
-        let [driven, _] = drives[drive].bodies;
-        // A link that two drives name has an effort of its own by the first.
-        let named = drives.iter().filter(|drive| drive.bodies[0] == driven).count();
-        if driven != by && driven != GROUND && named == 1 {
-            self.links.drives.push([driven, by].map(|body| self.name(body).clone()));
         }
     }
 

@@ -11,9 +11,9 @@ use crate::model::as_drawn::SearchFollowed;
 use crate::model::drawn::bars::DrawnBar;
 use crate::model::drawn::bodies::Bodies;
 use crate::model::drawn::figures::{Figure, Pen};
-use crate::model::drawn::frame_shifts::FrameShifts;
 use crate::model::drawn::frames::{DrawnFrame, Origin};
 use crate::model::drawn::free_names::FreeNames;
+use crate::model::drawn::group_frames::GroupFrames;
 use crate::model::drawn::group_statement::group_of;
 use crate::model::drawn::modes_as_drawn::{DrawnMode, modes, parallel};
 use crate::model::drawn::written::Written;
@@ -34,24 +34,16 @@ pub(super) struct Translated {
 /// Writes statements in solving order.
 pub(super) struct Writer<'b, 't> {
     pub(super) bodies: &'b Bodies<'t>,
-    pub(super) pen: Pen,
     /// True for the pins that statements have made so far.
     pub(super) made: Vec<bool>,
     /// Points declared on links, which were reached before their link: another statement makes them.
     pub(super) replaced: Vec<Ident>,
     /// Those of them whose place is not known before the link's.
     pub(super) misplaced: Vec<Ident>,
-    /// The frames of links that groups have given other ones than they are written in.
-    pub(super) turns: FrameShifts<'b, 't>,
-    /// The frames that groups have given links so far.
-    pub(super) own: Vec<Option<DrawnFrame>>,
-    /// The angles of these frames in the drawing, as drivers and guides count them.
-    pub(super) counted: Vec<Option<f64>>,
+    pub(super) frames: GroupFrames<'b, 't>,
     pub(super) written: Vec<Written>,
     /// The searches so far.
     pub(super) searches: Vec<SearchFollowed>,
-    /// The search whose statements are written, and behind which statement they stand.
-    pub(super) searching: Option<(usize, usize)>,
     pub(super) names: FreeNames,
     /// Links that groups have as bars between the first two pins of their statements.
     pub(super) bars: Vec<usize>,
@@ -69,20 +61,14 @@ impl<'b, 't> Writer<'b, 't> {
         for body in (0..machine.bodies.len()).filter(makes) {
             machine.bodies[body].made().for_each(|pin| made[pin] = true);
         }
-        let turns = FrameShifts::new(bodies, pen);
-        let count = machine.bodies.len();
         Self {
             bodies,
-            pen: pen.clone(),
             made,
             replaced: Vec::new(),
             misplaced: Vec::new(),
-            turns,
-            own: vec![None; count],
-            counted: vec![None; count],
+            frames: GroupFrames::new(bodies, pen),
             written: Vec::new(),
             searches: Vec::new(),
-            searching: None,
             names: FreeNames::of(bodies.tree),
             bars: Vec::new(),
             links: DrawnLinks::default(),
@@ -92,13 +78,14 @@ impl<'b, 't> Writer<'b, 't> {
 
     /// All statements of the declaration, in solving order.
     pub(super) fn declaration(self) -> Translated {
-        let (bars, joints) = (self.bars_between_pins(), self.joints());
-        let angles = self.counted_angles();
-        let (lengths, guides) = (self.lengths_between_pins(), self.turns.guides());
+        let (bars, joints) = (self.frames.bars_between_pins(&self.bars), self.frames.joints());
+        let angles = self.frames.counted_angles();
+        let (lengths, guides) =
+            (self.frames.lengths_between_pins(&self.bars), self.frames.turns.guides());
         let modes = modes(self.bodies);
         let Self {
             bodies,
-            turns,
+            frames,
             mut written,
             searches,
             mut links,
@@ -124,17 +111,38 @@ impl<'b, 't> Writer<'b, 't> {
             links.parallels.extend(parallel);
         }
         (links.names, links.frames, links.lengths, links.guides) =
-            (names.made, turns.found(), lengths, guides);
+            (names.made, frames.turns.found(), lengths, guides);
         Translated { statements, links, searches, holds_links, misplaced }
     }
 
-    /// Puts a statement behind one of the drawing, or where the search in hand stands.
+    /// Remembers the joint of a group that is a slide of the drawing: see [`GroupFrames::slide_found`].
+    pub(super) fn slide_is_made(&mut self, slide: usize, by: usize, from: Option<[Figure; 2]>) {
+        let found = self.frames.slide_found(slide, by, from);
+        self.links.slides.push(found);
+    }
+
+    /// Remembers where a pin of a link is that its group makes elsewhere.
+    pub(super) fn pin_is_elsewhere(&mut self, body: usize, pin: usize) {
+        self.links.pins.extend(self.frames.pin_elsewhere(body, pin));
+    }
+
+    /// Remembers a driver that has a drive the other way round than the drawing.
+    pub(super) fn is_driven_by(&mut self, drive: Option<usize>, by: usize) {
+        let Some(drive) = drive else { return };
+        let drives = &self.bodies.machine.drives;
+        let [driven, _] = drives[drive].bodies;
+        // A link that two drives name has an effort of its own by the first.
+        let named = drives.iter().filter(|drive| drive.bodies[0] == driven).count();
+        if driven != by && driven != GROUND && named == 1 {
+            self.links.drives.push([driven, by].map(|body| self.frames.name(body).clone()));
+        }
+    }
+
+    /// Puts a statement behind one of the drawing.
     pub(super) fn put(&mut self, behind: usize, kind: StatementKind) {
-        let search = self.searching.map(|(search, _)| search);
-        let behind = self.searching.map_or(behind, |(_, behind)| behind);
         self.written.push(Written {
             behind,
-            search,
+            search: None,
             statement: Statement { docs: Vec::new(), kind },
         });
     }
@@ -148,14 +156,6 @@ impl<'b, 't> Writer<'b, 't> {
             Found::Dyad(dyad) => self.dyad(dyad),
             Found::Search(search) => self.search(search),
         }
-    }
-
-    pub(super) fn name(&self, body: usize) -> &'t Ident {
-        self.bodies.link(body).name
-    }
-
-    pub(super) fn place(&self, pin: usize) -> &'b [Figure; 2] {
-        &self.bodies.pins[pin].at
     }
 
     /// The value of a drive, negative where the body is the one that it is driven against; without a
@@ -175,12 +175,13 @@ impl<'b, 't> Writer<'b, 't> {
             let written = self.bodies.frames[body].clone();
             let pivot = self.bodies.machine.bodies[body].given.as_ref().map(|given| given.pins[0]);
             let Some(pivot) = pivot else { continue };
-            let angle = self.pen.at(self.name(body).span()).angle(&written.axis).text;
+            let angle = self.frames.pen.at(self.frames.name(body).span()).angle(&written.axis).text;
             let fields = vec![("angle", GroupFieldValue::One(angle))];
-            let legs = [(body, self.name(body).clone(), self.bodies.pins[pivot].name.clone())];
+            let legs =
+                [(body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone())];
             self.group("crank", &legs, None, fields, None);
             let counted = self.bodies.drawn_angle(body);
-            let (begins, origin) = (Origin::Pin(pivot), self.place(pivot).clone());
+            let (begins, origin) = (Origin::Pin(pivot), self.frames.place(pivot).clone());
             self.settle(body, DrawnFrame { begins, origin, ..written }, counted);
         }
     }
@@ -195,36 +196,36 @@ impl<'b, 't> Writer<'b, 't> {
             _ => None,
         };
         if let Some(tip) = tip {
-            fields.push(("length", GroupFieldValue::One(self.length(body, pivot, tip))));
+            fields.push(("length", GroupFieldValue::One(self.frames.length(body, pivot, tip))));
         }
         fields.push(("angle", GroupFieldValue::One(angle)));
         if reference != GROUND {
-            let name = self.name(reference).clone();
+            let name = self.frames.name(reference).clone();
             let span = name.span().into();
             fields.push((
                 "relative_to",
                 GroupFieldValue::One(Expr { kind: ExprKind::Name(name), span }),
             ));
         }
-        let legs = [(body, self.name(body).clone(), self.bodies.pins[pivot].name.clone())];
+        let legs = [(body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone())];
         self.group("crank", &legs, tip, fields, drive);
         let frame = match tip {
             Some(_) => written,
             None => DrawnFrame {
                 begins: Origin::Pin(pivot),
-                origin: self.place(pivot).clone(),
+                origin: self.frames.place(pivot).clone(),
                 ..written
             },
         };
         let counted = match drive {
-            Some(drive) => self.counted_by_drive(drive, body, reference),
+            Some(drive) => self.frames.counted_by_drive(drive, body, reference),
             None => self.bodies.drawn_angle(body),
         };
         self.settle(body, frame, counted);
         self.bars.extend(tip.map(|_| body));
         match drive {
             Some(_) => self.is_driven_by(drive, body),
-            None => self.links.searched.push(self.name(body).clone()),
+            None => self.links.searched.push(self.frames.name(body).clone()),
         }
     }
 
@@ -245,13 +246,13 @@ impl<'b, 't> Writer<'b, 't> {
             }
             (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
                 let [body, block] = self.bars(dyad);
-                let guide = self.guide_of(s);
+                let guide = self.frames.guide_of(s);
                 let bar = self.bar(&dyad.legs[0], [u, v]);
                 let mut fields = vec![("length", GroupFieldValue::One(bar.length()))];
-                let offset = self.offset(guide, v);
+                let offset = self.frames.offset(guide, v);
                 fields.extend(given(offset));
                 fields.push(self.mode(body, sense(sign)));
-                let names = [self.bar_name(&bar), self.name(block).clone()];
+                let names = [self.bar_name(&bar), self.frames.name(block).clone()];
                 self.write_named(dyad, names, Some(v), fields);
                 self.settle_bar(bar);
                 self.block_on_rail(s, block, v);
@@ -259,24 +260,24 @@ impl<'b, 't> Writer<'b, 't> {
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Pin(w)) => {
                 let [block, bar] = self.bars(dyad);
-                let guide = self.guide_of(s);
+                let guide = self.frames.guide_of(s);
                 let line = &self.bodies.guides[guide].line;
-                let from_bar = self.pen.minus(self.place(u), self.place(w));
-                let [_, offset] = self.pen.seen_from(&line.along, &from_bar);
+                let from_bar = self.frames.pen.minus(self.frames.place(u), self.frames.place(w));
+                let [_, offset] = self.frames.pen.seen_from(&line.along, &from_bar);
                 let mut fields = Vec::new();
                 fields.extend(given(offset));
                 fields.push(self.mode(block, sense(sign)));
                 self.write(dyad, None, fields);
-                let counted = self.uncounted(bar, &line.along);
+                let counted = self.frames.uncounted(bar, &line.along);
                 self.block_is_placed(block, u, (guide, counted));
                 self.block_is_placed(bar, w, (guide, counted));
-                let start = self.start_on_bar(s, bar);
+                let start = self.frames.start_on_bar(s, bar);
                 self.slide_is_made(s, block, start);
             }
             (Pair::Slide(s), Pair::Pin(v), Pair::Slide(t)) => {
                 let [a, b] = self.bars(dyad);
-                let guides = [self.guide_of(s), self.guide_of(t)];
-                let offsets = guides.map(|guide| self.offset(guide, v));
+                let guides = [self.frames.guide_of(s), self.frames.guide_of(t)];
+                let offsets = guides.map(|guide| self.frames.offset(guide, v));
                 let fields = self.offsets(offsets);
                 self.write(dyad, Some(v), fields);
                 self.block_on_rail(s, a, v);
@@ -302,20 +303,8 @@ impl<'b, 't> Writer<'b, 't> {
         dyad.legs.each_ref().map(|leg| leg.bodies[0])
     }
 
-    /// The length of a bar between two pins: as declared, or as drawn.
-    pub(super) fn length(&self, body: usize, from: usize, to: usize) -> Expr {
-        let link = self.bodies.link(body);
-        if let Some((length, _)) = &link.length
-            && [from, to].iter().all(|pin| link.pins.contains(pin))
-        {
-            return (*length).clone();
-        }
-        let pen = self.pen.at(self.name(body).span());
-        pen.size(&pen.minus(self.place(to), self.place(from))).text
-    }
-
     pub(super) fn mode(&self, body: usize, word: &str) -> (&'static str, GroupFieldValue) {
-        let name = Ident::new(word, self.name(body).span());
+        let name = Ident::new(word, self.frames.name(body).span());
         let span = name.span().into();
         ("mode", GroupFieldValue::One(Expr { kind: ExprKind::Name(name), span }))
     }
@@ -326,7 +315,7 @@ impl<'b, 't> Writer<'b, 't> {
         pin: Option<usize>,
         fields: Vec<(&str, GroupFieldValue)>,
     ) {
-        let names = self.bars(dyad).map(|body| self.name(body).clone());
+        let names = self.bars(dyad).map(|body| self.frames.name(body).clone());
         self.write_named(dyad, names, pin, fields);
     }
 
@@ -344,7 +333,7 @@ impl<'b, 't> Writer<'b, 't> {
                 Pair::Pin(pin) => self.bodies.pins[pin].name.clone(),
                 Pair::Slide(slide) => self.rail(slide, leg.bodies[0]),
             };
-            let name = names.next().unwrap_or_else(|| self.name(leg.bodies[0]).clone());
+            let name = names.next().unwrap_or_else(|| self.frames.name(leg.bodies[0]).clone());
             (leg.bodies[0], name, joint)
         });
         self.group(&dyad.letters(), &legs, pin, fields, None);
@@ -371,7 +360,7 @@ impl<'b, 't> Writer<'b, 't> {
             [Some(joint), pin.as_ref()]
                 .into_iter()
                 .flatten()
-                .for_each(|at| self.turns.join(link, at));
+                .for_each(|at| self.frames.turns.join(link, at));
         }
         let group = group_of(keyword, legs, pin, fields);
         self.put(behind, StatementKind::Group(group));

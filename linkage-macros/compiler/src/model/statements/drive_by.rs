@@ -7,10 +7,8 @@ use crate::diagnostics::Diagnostics;
 use crate::syntax::tree::{Declaration, DriveByStatement, StatementKind};
 
 use crate::model::acting::{Dynamics, Effort, Load};
-use crate::model::ids::{InputId, LinkId};
-use crate::model::mechanism::{
-    Drive, Group, GuideDirection, Mechanism, Placement, Scalar, Slideway, Step, Through,
-};
+use crate::model::ids::InputId;
+use crate::model::mechanism::Mechanism;
 use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
@@ -58,81 +56,6 @@ impl Dynamics {
     /// The input that a load drives, and the load.
     pub(crate) fn driven(&self) -> Option<(InputId, &Load)> {
         Some((self.pulled?, self.pull.as_ref()?))
-    }
-}
-
-impl Mechanism {
-    /// The input and the load that leave a crank or a slider without an effort of its own: no other dimension moves
-    /// with the input.
-    pub(in crate::model) fn driven_through(&self, link: LinkId) -> Option<(InputId, &Load)> {
-        let (input, load) = self.dynamics.driven()?;
-        let is_input = |expr: &Scalar| matches!(expr, Scalar::Input(id) if *id == input);
-        let drive = self.group_with(link)?.outer.first()?.drive.as_ref()?;
-        let is_alone = match drive {
-            Drive::Angle { angle, .. } => angle.links.is_empty() && is_input(&angle.rest),
-            Drive::Slide(slide) => is_input(slide),
-        };
-        let count = self.dimensions().into_iter().filter(|expr| self.holds(expr, input)).count();
-        (is_alone && count == 1).then_some((input, load))
-    }
-
-    /// All dimensions by which something is placed.
-    fn dimensions(&self) -> Vec<&Scalar> {
-        let mut all = Vec::new();
-        for step in &self.steps {
-            match step {
-                // No input moves the ground.
-                Step::Ground { .. } => {}
-                Step::Guide { through, course, .. } => {
-                    if let Through::At(at) = through {
-                        all.extend(at);
-                    }
-                    if let GuideDirection::Along(angle) = course {
-                        all.push(&angle.rest);
-                    }
-                }
-                Step::Point { place, .. } => match place {
-                    Placement::Cartesian(at) => all.extend(at),
-                    Placement::Polar(radius, angle) => all.extend([radius, angle]),
-                    Placement::Distances { distances: [first, second], length, .. } => {
-                        all.extend([&first.value, &second.value, length]);
-                    }
-                },
-                Step::Group(group) => all.extend(group.dimensions()),
-            }
-        }
-        all
-    }
-
-    /// True if the input is written in the expression, or in a name that stands in it.
-    fn holds(&self, expr: &Scalar, input: InputId) -> bool {
-        let holds = |expr: &Scalar| self.holds(expr, input);
-        match expr {
-            Scalar::Input(id) => *id == input,
-            Scalar::Let(id) => holds(&self.lets[id.index()].rest),
-            Scalar::Negate(value) => holds(value),
-            Scalar::AboveZero(inner) => holds(&inner.value),
-            Scalar::Chain(first, rest) => {
-                holds(first) || rest.iter().any(|(_, operand)| holds(operand))
-            }
-            Scalar::Call(_, arguments) => arguments.iter().any(holds),
-            _ => false,
-        }
-    }
-}
-
-impl Group {
-    fn dimensions(&self) -> Vec<&Scalar> {
-        let lengths = self.lengths.iter().flatten().map(|length| &length.value);
-        let drives = self.outer.iter().filter_map(|joint| match joint.drive.as_ref()? {
-            Drive::Angle { angle, .. } => Some(&angle.rest),
-            Drive::Slide(slide) => Some(slide),
-        });
-        let slots = self.joints().filter_map(|joint| match joint.slideway()? {
-            Slideway::Slot { angle, .. } => Some(&angle.rest),
-            Slideway::Guide(_) | Slideway::Bar(_) => None,
-        });
-        lengths.chain(drives).chain(slots).chain(self.offsets()).collect()
     }
 }
 

@@ -137,7 +137,9 @@ impl<'s> Triangle<'s> {
         let g = g.map(|(dot, cross)| square * dot + alpha * cross);
         let own = [("r2 dot a", dot2), ("r3 dot a", dot3), ("r2 cross a", cross2)];
         let own = own.into_iter().chain([("r3 cross a", cross3), ("g r3", g[0]), ("g r2", g[1])]);
-        own.for_each(|(letter, symbol)| drop(scope.note(letter, symbol)));
+        for (letter, symbol) in own {
+            scope.note(letter, symbol);
+        }
         self.rates(scope, rates, g, -(turning * crank.across))
     }
 
