@@ -135,31 +135,49 @@ enum Unit {
     Bare,
 }
 
-/// A constant, without error where it is a decimal.
+/// A constant, without error where its text is not too long.
 fn constant(value: &Exact, unit: Unit) -> String {
-    let degree = Exact::pi().div(&Exact::integer(180));
     match unit {
         _ if value.is_zero() => "0".to_string(),
-        Unit::Bare => decimal(value).unwrap_or_else(|| float(value)),
-        Unit::Length if value.to_f64().abs() < 1.0 => {
-            let millimetres = value.mul(&Exact::integer(1000));
-            format!("{}mm", decimal(&millimetres).unwrap_or_else(|| float(&millimetres)))
-        }
-        Unit::Length => format!("{}m", decimal(value).unwrap_or_else(|| float(value))),
-        Unit::Angle => match degree.and_then(|degree| decimal(&value.div(&degree)?)) {
-            Some(degrees) => format!("{degrees}deg"),
-            None => format!("{}rad", float(value)),
+        Unit::Bare => match decimal(value) {
+            Some(number) => number,
+            None => format!("({})", formula(value).unwrap_or_else(|| float(value))),
         },
+        Unit::Length => length(value),
+        Unit::Angle => {
+            let degrees = Exact::pi().div(&Exact::integer(180)).and_then(|one| value.div(&one));
+            match (degrees.as_ref().and_then(decimal), formula(value)) {
+                (Some(degrees), _) => format!("{degrees}deg"),
+                (None, Some(angle)) => angle.replace("pi", "180deg"),
+                (None, None) => format!("{}rad", float(value)),
+            }
+        }
+    }
+}
+
+/// In millimetres below a metre.
+fn length(value: &Exact) -> String {
+    let millimetres = value.mul(&Exact::integer(1000));
+    let (number, unit) =
+        if value.to_f64().abs() < 1.0 { (&millimetres, "mm") } else { (value, "m") };
+    match (decimal(number), formula(number)) {
+        (Some(number), _) => format!("{number}{unit}"),
+        (None, Some(number)) => format!("({number}) * 1{unit}"),
+        (None, None) => format!("{}{unit}", float(number)),
     }
 }
 
 /// The digits of a number that is a short decimal.
 fn decimal(value: &Exact) -> Option<String> {
-    const LONGEST: usize = 20;
     let text = value.to_string();
     let digits = text.strip_prefix('-').unwrap_or(&text);
     let is_decimal = digits.bytes().all(|digit| digit.is_ascii_digit() || digit == b'.');
-    (is_decimal && text.len() <= LONGEST).then_some(text)
+    is_decimal.then_some(text)
+}
+
+/// The operations that a number is made by, if these are few.
+fn formula(value: &Exact) -> Option<String> {
+    Some(value.to_string()).filter(|text| !text.contains(['~', '^']))
 }
 
 fn float(value: &Exact) -> String {

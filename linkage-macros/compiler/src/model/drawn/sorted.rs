@@ -7,14 +7,15 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{ExprKind, Statement, StatementKind};
 
 use crate::model::drawn::written::Written;
-use crate::model::drawn_links::SlideFound;
+use crate::model::drawn_links::{DrawnLinks, SlideFound};
 use crate::model::references::{expressions, names_used};
 use crate::model::statements::declared_by;
+use crate::model::statements::guides::names_that_place;
 
 /// The statements, each behind those that it needs and else as they stand. What uses a part of a search
 /// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names
 /// are resolved.
-pub(super) fn ordered(statements: Vec<Written>, slides: &[SlideFound]) -> Vec<Statement> {
+pub(super) fn ordered(statements: Vec<Written>, links: &DrawnLinks) -> Vec<Statement> {
     let mut makers = HashMap::new();
     let mut solves = HashMap::new();
     for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
@@ -29,7 +30,11 @@ pub(super) fn ordered(statements: Vec<Written>, slides: &[SlideFound]) -> Vec<St
         .iter()
         .enumerate()
         .map(|(index, Written { statement, .. })| {
-            let used = names_used(statement).into_iter().chain(joints_read(statement, slides));
+            let placed_by = match &statement.kind {
+                StatementKind::Guide(guide) => names_that_place(guide, links.guide(&guide.name)),
+                _ => names_used(statement),
+            };
+            let used = placed_by.into_iter().chain(joints_read(statement, &links.slides));
             let made = used.filter_map(|name| makers.get(&name.to_string()).copied());
             made.filter(|&maker| maker != index).collect()
         })

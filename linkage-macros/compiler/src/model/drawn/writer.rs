@@ -101,7 +101,6 @@ impl<'b, 't> Writer<'b, 't> {
             }
         }
         written.sort_by_key(|written| written.behind);
-        let statements = sorted::ordered(written, &links.slides);
         let drawn = bodies.links.iter().filter(|link| !link.is_given);
         let hidden = links.hidden.iter().map(|(name, _)| name);
         links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
@@ -112,6 +111,7 @@ impl<'b, 't> Writer<'b, 't> {
         }
         (links.names, links.frames, links.lengths, links.guides) =
             (names.made, frames.turns.found(), lengths, guides);
+        let statements = sorted::ordered(written, &links);
         Translated { statements, links, searches, holds_links, misplaced }
     }
 

@@ -8,6 +8,7 @@ use crate::reach::line::BodyLine;
 use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
 use crate::model::assembly::constants;
+use crate::model::drawn_links::GuideFound;
 use crate::model::facts::GuideFacts;
 use crate::model::mechanism::{
     Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through,
@@ -28,15 +29,14 @@ impl Rules for GuideStatement {
     }
 
     fn builds_on(&self) -> Vec<&Ident> {
-        let through = match &self.through {
-            GuideAnchor::Point(point) => Some(point),
-            GuideAnchor::At(_) | GuideAnchor::Mistake => None,
-        };
-        let towards = match &self.course {
-            Course::Towards(point) => Some(point),
-            Course::Along(_) | Course::Mistake => None,
-        };
+        let [through, towards] = points(self);
         self.on.iter().chain(through).chain(towards).collect()
+    }
+
+    fn uses(&self, scope: &Scope<'_>, asks: &dyn Fn(Entity) -> bool) -> bool {
+        let found = scope.drawn.and_then(|drawn| drawn.guide(&self.name));
+        let names = names_that_place(self, found);
+        names.iter().any(|name| scope.names.entity(name).is_some_and(asks))
     }
 
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
@@ -67,6 +67,32 @@ impl Rules for GuideStatement {
         scope.facts.guides.push(facts);
         Some(Entity::Guide(GuideId(guides.len() as u32 - 1)))
     }
+}
+
+/// The points that a guide runs through and towards, where it names them.
+fn points(guide: &GuideStatement) -> [Option<&Ident>; 2] {
+    let through = match &guide.through {
+        GuideAnchor::Point(point) => Some(point),
+        GuideAnchor::At(_) | GuideAnchor::Mistake => None,
+    };
+    let towards = match &guide.course {
+        Course::Towards(point) => Some(point),
+        Course::Along(_) | Course::Mistake => None,
+    };
+    [through, towards]
+}
+
+/// The names by which a guide is placed: all that it uses, without points for which the drawing stands.
+pub(in crate::model) fn names_that_place(
+    guide: &GuideStatement,
+    found: Option<&GuideFound>,
+) -> Vec<Ident> {
+    let [through, towards] = points(guide);
+    let through = through.filter(|_| found.is_none_or(|found| found.through.is_none()));
+    let towards = towards.filter(|_| found.is_none_or(|found| found.along.is_none()));
+    let mut names: Vec<_> = guide.on.iter().chain(through).chain(towards).cloned().collect();
+    guide.each_expression(&mut |expr| expr.each_name(&mut |name| names.push(name.clone())));
+    names
 }
 
 fn guide_line(
