@@ -78,8 +78,7 @@ pub trait Checks<T: Scalar> {
     where
         T: Real;
 
-    /// Told how clear of its limit each group is, where that is asked for: what stands under the root of
-    /// its height, and the scale to measure it by.
+    /// Receives each group's discriminant and its scale, where clearances are asked for.
     #[inline(always)]
     fn clearances(&mut self, _groups: &[[T; 2]]) {}
 

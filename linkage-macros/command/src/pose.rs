@@ -57,7 +57,7 @@ impl Conditions for PoseConditions {
         sought: &SoughtRoot<'_>,
         sides: &mut dyn FnMut(f64) -> [f64; 3],
     ) -> [f64; 2] {
-        let find = if sought.asks_for_a_turn { root_within_a_turn } else { root };
+        let find = if sought.checks_span_at_run_time { root_within_a_turn } else { root };
         // Numbers without derivatives ask for no root of plain ones.
         let plain = || unreachable!("these are plain numbers");
         let found = find(sought.between, trend(sought), sought.near, plain, sides);

@@ -144,7 +144,7 @@ pub fn drawing(
     let unknowns = mechanism.unknowns.iter().map(|unknown| UnknownWords {
         title: mechanism.title_of_unknown(unknown).to_string(),
         unit: unit(unknown.measure, Order::Position),
-        asks_for_a_turn: unknown.dimension.angle
+        checks_span_at_run_time: unknown.dimension.angle
             && unknown.between.iter().any(|end| end.constant().is_none()),
     });
     let unknowns: Vec<_> = unknowns.collect();

@@ -39,7 +39,7 @@ pub struct SoughtRoot<'a> {
     /// The value near which the root is expected.
     pub near: Option<f64>,
     /// True if the ends are angles whose distance, at most a turn, is known here alone.
-    pub asks_for_a_turn: bool,
+    pub checks_span_at_run_time: bool,
 }
 
 /// The run-time's part of a pose.
@@ -70,7 +70,7 @@ pub trait Conditions {
 pub(crate) struct UnknownWords {
     pub title: String,
     pub unit: String,
-    pub asks_for_a_turn: bool,
+    pub checks_span_at_run_time: bool,
 }
 
 /// The numbers of a program's first answer.
@@ -166,7 +166,7 @@ impl PoseValues<'_> {
             between: search.between.map(|end| self.values[end.index()]),
             rises,
             near: search.near.map(|near| self.values[near.index()]),
-            asks_for_a_turn: words.asks_for_a_turn,
+            checks_span_at_run_time: words.checks_span_at_run_time,
         };
         let nodes = trial_nodes(&self.program.graph, tried, &search.sides);
         let (program, given, values) = (self.program, self.given, &mut self.values);

@@ -49,7 +49,7 @@ pub(crate) struct Search {
     /// Present if the equation stands apart: a sweep then searches by the root before.
     pub apart: Option<Apart>,
     /// True if the ends are angles whose distance, at most a turn, is known at run time alone.
-    pub asks_for_a_turn: bool,
+    pub checks_span_at_run_time: bool,
 }
 
 /// An equation that stands apart.

@@ -38,9 +38,9 @@ pub(super) fn searches(
         let name = locals::single_underscores(&format!("{begin}_{name}{suffix}").to_lowercase());
         let of_unknown = search(&program.graph, solve, sought, name, tried);
         let are_known = unknown.between.iter().all(|end| end.constant().is_some());
-        let asks_for_a_turn = unknown.dimension.angle && !are_known;
+        let checks_span_at_run_time = unknown.dimension.angle && !are_known;
         let cost = costs.of_trial(&sought.sides);
-        searches.push(Search { asks_for_a_turn, cost, ..of_unknown });
+        searches.push(Search { checks_span_at_run_time, cost, ..of_unknown });
     }
     let ends: Vec<RootSearch> = searches.iter().map(|search| search.sought).collect();
     for search in &mut searches {
@@ -116,8 +116,8 @@ fn search(
         constants: Map::default(),
     };
     let (cost, has_one_root) = (Operations::default(), None);
-    let (apart, asks_for_a_turn) = (None, false);
-    Search { routine, implicit, sought, given, cost, has_one_root, apart, asks_for_a_turn }
+    let (apart, checks_span_at_run_time) = (None, false);
+    Search { routine, implicit, sought, given, cost, has_one_root, apart, checks_span_at_run_time }
 }
 
 /// The statements of a trial, given the nodes that it computes.

@@ -89,7 +89,7 @@ impl<'a> In<'a> {
         let chosen =
             if sign.is_none() { format!("{} trend, ", self.real()) } else { String::new() };
         let trend = sign.unwrap_or_else(|| "trend".to_string());
-        let (ending, is_turn) = (self.ending(), u8::from(search.asks_for_a_turn));
+        let (ending, is_turn) = (self.ending(), u8::from(search.checks_span_at_run_time));
         let unknown = &self.mechanism.unknowns[sought.unknown as usize];
         let unknown = self.mechanism.title_of_unknown(unknown);
         let [name, trial] = [self.root_name(search), self.trial_name(search)];

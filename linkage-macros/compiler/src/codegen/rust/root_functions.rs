@@ -25,7 +25,7 @@ fn function(cx: &Context<'_>, search: &Search) -> TokenStream {
     let given = search.given.iter().map(|&id| printer.name(id));
     let count = Literal::usize_unsuffixed(search.given.len());
     let [result, error, option] = ["Result", "FindError", "Option"].map(|item| cx.paths.item(item));
-    let finder = if search.asks_for_a_turn { "root_within_a_turn" } else { "root" };
+    let finder = if search.checks_span_at_run_time { "root_within_a_turn" } else { "root" };
     let (find, trial) = (cx.paths.item(finder), generated(TRIAL));
     let trend = trend(cx.mechanism, &cx.paths, search.sought.trend);
     let between = search.sought.between.map(|end| printer.value_alone(end));

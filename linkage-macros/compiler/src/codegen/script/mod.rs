@@ -128,7 +128,7 @@ fn searches(mechanism: &Mechanism, lowered: &Lowered<'_>, to: &mut Text) {
         let printer = printer(mechanism, lowered, routine, false);
         let given = search.given.iter().map(|&id| printer.local(id));
         let given = given.collect::<Vec<_>>().join(", ");
-        let finder = if search.asks_for_a_turn { "rootWithinATurn" } else { "rootOf" };
+        let finder = if search.checks_span_at_run_time { "rootWithinATurn" } else { "rootOf" };
         to.put(&format!("{}: (p, [{given}]) => {finder}([", routine.name));
         printer.values(&between, to);
         let chosen = trend.param().map(|param| format!("p[{param}]"));
