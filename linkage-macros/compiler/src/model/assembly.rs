@@ -90,7 +90,7 @@ pub(super) fn pin_of_a_fixed_slider(
 fn group_cannot_be_assembled(scope: &mut Scope<'_>, parts: &Parts, reason: String) -> Option<()> {
     let title = &scope.mechanism.groups[parts.id.index()].title;
     let message = format!("`{title}` cannot be assembled; change its dimensions");
-    scope.diagnostics.error_because(parts.group.keyword.span(), message, reason);
+    scope.diagnostics.error_because(parts.at, message, reason);
     None
 }
 
@@ -134,23 +134,19 @@ pub(super) fn constants_can_be_assembled(
         }
         ([false, true], false) => {
             slot.as_ref()?;
-            slot_crosses_the_rail(scope, parts, dimensions)
+            slot_crosses_the_rail(scope, dimensions)
         }
         _ => Some(()),
     }
 }
 
 /// A slot along the rail fixes nothing across it.
-fn slot_crosses_the_rail(
-    scope: &mut Scope<'_>,
-    parts: &Parts,
-    dimensions: &Dimensions,
-) -> Option<()> {
+fn slot_crosses_the_rail(scope: &mut Scope<'_>, dimensions: &Dimensions) -> Option<()> {
     let Some(angle) = dimensions.slot_along_the_rail() else { return Some(()) };
     let message =
         format!("a slot at {}° lies along the rail; turn it away", shown_in_degrees(angle));
     let reason = "slot and rail must cross for the group to be determined";
-    scope.diagnostics.error_because(parts.fields.one("slot")?.span, message, reason);
+    scope.diagnostics.error_because(dimensions.slot_at?, message, reason);
     None
 }
 

@@ -15,13 +15,11 @@ use crate::model::scope::Scope;
 pub(in crate::model) fn joints_are_as_drawn(scope: &mut Scope<'_>, parts: &Parts) {
     let Some(drawn) = scope.drawn else { return };
     for found in &drawn.frames {
-        let made = parts.group.legs.iter().position(|leg| leg.link == found.link);
-        let shift = made.and_then(|leg| parts.link(leg)).and_then(|link| shift(scope, link, found));
+        let shift = made(scope, parts, &found.link).and_then(|link| shift(scope, link, found));
         scope.mechanism.as_drawn.frames.extend(shift);
     }
     for slide in &drawn.slides {
-        let made = parts.group.legs.iter().position(|leg| leg.link == slide.by);
-        let by = made.and_then(|leg| parts.link(leg));
+        let by = made(scope, parts, &slide.by);
         let (Some(by), Some(Entity::Link(link))) = (by, scope.names.made(&slide.link)) else {
             continue;
         };
@@ -34,6 +32,12 @@ pub(in crate::model) fn joints_are_as_drawn(scope: &mut Scope<'_>, parts: &Parts
             scope.mechanism.as_drawn.slides.push(slide);
         }
     }
+}
+
+/// The link of this name among those that a group has made.
+fn made(scope: &Scope<'_>, parts: &Parts, name: &Ident) -> Option<LinkId> {
+    let mut links = parts.links.iter().copied().flatten();
+    links.find(|link| scope.mechanism.links[link.index()].name == *name)
 }
 
 /// The written frame of a link in that of its group.

@@ -1,4 +1,4 @@
-//! The joints of a group, read from its statement field by field as its row has them.
+//! The joints of a group from its dimensions, and these from the fields of its statement as its row has them.
 
 use crate::exact::Exact;
 use crate::syntax::anatomy::JointRule;
@@ -8,12 +8,12 @@ use crate::model::mechanism::{
     Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId, Scalar,
     Slideway,
 };
-use crate::model::parts_of_groups::{Dimensions, OuterJoint, Parts};
+use crate::model::parts_of_groups::{Dimensions, Fields, OuterJoint, Parts};
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
 use crate::model::{assembly, fits, modes, numbers, opposite_sides, uses};
 
-impl Parts<'_> {
+impl Parts {
     /// Tells whether the link has its outer joint at one end and the pin at the other.
     pub(super) fn is_bar(&self, index: usize) -> bool {
         !self.slides(index) && !self.anatomy.has_inner_slide()
@@ -34,9 +34,13 @@ impl Parts<'_> {
     }
 }
 
-/// The group with its joints, where everything that it is given is known.
-pub(super) fn jointed(scope: &mut Scope<'_>, parts: &Parts) -> Option<Group> {
-    let mut dimensions = dimensions(scope, parts);
+/// The group with its joints, where everything that it is given is known: the rules of all groups, whether fields give
+/// the dimensions or a drawing does.
+pub(super) fn place_group(
+    scope: &mut Scope<'_>,
+    parts: &Parts,
+    mut dimensions: Dimensions,
+) -> Option<Group> {
     points_of_links(scope, parts, &dimensions);
     assembly::constants_can_be_assembled(scope, parts, &dimensions)?;
     let pin = if parts.has_pin() { Some(parts.pin?) } else { None };
@@ -66,8 +70,14 @@ pub(super) fn jointed(scope: &mut Scope<'_>, parts: &Parts) -> Option<Group> {
     Some(Group { id, kind, links, outer, inner, pin, lengths, assembly })
 }
 
-fn dimensions(scope: &mut Scope<'_>, parts: &Parts) -> Dimensions {
-    let (fields, lengths) = (&parts.fields, lengths_of_bars(scope, parts));
+/// The dimensions that the fields of a statement give.
+pub(super) fn dimensions(
+    scope: &mut Scope<'_>,
+    parts: &Parts,
+    group: &tree::GroupStatement,
+    fields: &Fields<'_>,
+) -> Dimensions {
+    let lengths = lengths_of_bars(scope, group, fields);
     let angle = fields.one("angle").and_then(|angle| numbers::turn(scope, angle));
     let relative_to = match fields.one("relative_to") {
         Some(value) => relative_to_is_a_body(scope, value),
@@ -81,32 +91,42 @@ fn dimensions(scope: &mut Scope<'_>, parts: &Parts) -> Dimensions {
         relative_to,
         slide: fields.one("slide").and_then(|slide| numbers::length(scope, slide)),
         slot: fields.one("slot").and_then(|slot| numbers::turn(scope, slot)),
-        offsets: offsets(scope, parts),
-        assembly: assembled(scope, parts, &lengths),
+        slot_at: fields.one("slot").map(|slot| slot.span),
+        offsets: offsets(scope, parts, fields),
+        assembly: assembled(scope, parts, (group, fields), &lengths),
         lengths,
     }
 }
 
 /// The way in which the group is assembled.
-fn assembled(scope: &mut Scope<'_>, parts: &Parts, lengths: &[Option<Length>]) -> Option<Assembly> {
+fn assembled(
+    scope: &mut Scope<'_>,
+    parts: &Parts,
+    (group, fields): (&tree::GroupStatement, &Fields<'_>),
+    lengths: &[Option<Length>],
+) -> Option<Assembly> {
     if parts.anatomy.modes.is_none() {
         return Some(Assembly::Unique);
     }
-    if let Some(at) = modes::parallel(scope, parts.anatomy, &parts.fields) {
+    if let Some(at) = modes::parallel(scope, parts.anatomy, fields) {
         return opposite_sides::declared(scope, parts, lengths, at).map(Assembly::Parallel);
     }
-    let mode = modes::mode(scope, parts.group, parts.anatomy, &parts.fields)?;
+    let mode = modes::mode(scope, group, parts.anatomy, fields)?;
     let drawn = opposite_sides::drawn(scope, parts, lengths, mode);
     Some(drawn.map_or(Assembly::Signed(mode), Assembly::Parallel))
 }
 
 /// The field `length` is the first link's, `lengths` are both links'.
-fn lengths_of_bars(scope: &mut Scope<'_>, parts: &Parts) -> Vec<Option<Length>> {
-    let legs = parts.group.legs.iter().enumerate();
+fn lengths_of_bars(
+    scope: &mut Scope<'_>,
+    group: &tree::GroupStatement,
+    fields: &Fields<'_>,
+) -> Vec<Option<Length>> {
+    let legs = group.legs.iter().enumerate();
     let lengths = legs.map(|(index, leg)| {
-        let length = match parts.fields.pair("lengths") {
+        let length = match fields.pair("lengths") {
             Some(lengths) => lengths.get(index),
-            None => parts.fields.one("length").filter(|_| index == 0),
+            None => fields.one("length").filter(|_| index == 0),
         };
         length.and_then(|length| bar_length(scope, length, &leg.link.to_string()))
     });
@@ -125,8 +145,7 @@ fn bar_length(scope: &mut Scope<'_>, expr: &tree::Expr, link: &str) -> Option<Le
 }
 
 /// The field `offset` or `offsets`, zero where it is not given.
-fn offsets(scope: &mut Scope<'_>, parts: &Parts) -> Option<Vec<Scalar>> {
-    let fields = &parts.fields;
+fn offsets(scope: &mut Scope<'_>, parts: &Parts, fields: &Fields<'_>) -> Option<Vec<Scalar>> {
     if parts.has_field("offset") {
         return match fields.one("offset") {
             Some(offset) => Some(vec![numbers::length(scope, offset)?]),

@@ -5,6 +5,8 @@
 
 use std::collections::HashSet;
 
+use proc_macro2::Ident;
+
 use crate::exact::Exact;
 
 use crate::model::assembly::span_of;
@@ -61,7 +63,7 @@ pub(super) fn drawn(
     lengths: &[Option<Length>],
     mode: Mode,
 ) -> Option<Opposite> {
-    let (pin, bars) = (parts.group.pin.as_ref()?, Bars::of(parts, lengths)?);
+    let (pin, bars) = (parts.pin_name.as_ref()?, Bars::of(parts, lengths)?);
     let named = scope.drawn.and_then(|drawn| drawn.parallels.get(pin));
     let is_named = |opposite: &Opposite| {
         let corner = &scope.mechanism.points[opposite.corner.index()].name;
@@ -87,7 +89,7 @@ fn note_unequal_sides(
     corner: Opposite,
     is_drawn: bool,
 ) {
-    let title = parts.group.title();
+    let title = scope.mechanism.groups[parts.id.index()].title.clone();
     let sides = bars.difference(scope, parts, corner);
     let message = match is_drawn {
         true => format!("`{title}` is drawn as a parallelogram, but does not stay one: {sides}"),
@@ -101,7 +103,7 @@ fn note_unequal_sides(
             "near one line its bars jam or cross; with equal sides `mode: parallel` keeps it a parallelogram"
         }
     };
-    scope.diagnostics.note_because(parts.group.keyword.span(), message, reason);
+    scope.diagnostics.note_because(parts.at, message, reason);
 }
 
 /// Two bars: their outer joints and lengths.
@@ -166,7 +168,7 @@ impl<'l> Bars<'l> {
     fn difference(&self, scope: &Scope<'_>, parts: &Parts, corner: Opposite) -> String {
         let bar = self.unequal_side(scope, corner).unwrap_or_default();
         let (_, ends) = self.opposite_side(corner, bar);
-        let (name, side) = (&parts.group.legs[bar].link, span_of(scope, ends));
+        let (name, side) = (link_name(scope, parts, bar), span_of(scope, ends));
         match self.excess(scope, corner, bar) {
             Some([length, excess]) => {
                 let than = if excess > 0.0 { "longer" } else { "shorter" };
@@ -176,6 +178,11 @@ impl<'l> Bars<'l> {
             None => format!("that of `{name}` is not known to be {side}"),
         }
     }
+}
+
+fn link_name(scope: &Scope<'_>, parts: &Parts, bar: usize) -> String {
+    let link = parts.link(bar).map(|link| &scope.mechanism.links[link.index()].name);
+    link.map_or(String::new(), Ident::to_string)
 }
 
 /// True if the two points of a body are known to be that far apart.
@@ -255,7 +262,7 @@ fn coordinates(scope: &Scope<'_>, carrier: Carrier, asked: PointId) -> Option<[S
 
 fn no_corner(scope: &Scope<'_>, parts: &Parts, outer: [PointId; 2]) -> (String, String) {
     let [b, d] = outer.map(|point| &scope.mechanism.points[point.index()].name);
-    let pin = parts.group.pin.as_ref().map_or("the pin".to_string(), |pin| format!("`{pin}`"));
+    let pin = parts.pin_name.as_ref().map_or("the pin".to_string(), |pin| format!("`{pin}`"));
     let message =
         format!("`{b}` and `{d}` make no parallelogram with {pin}; write `left` or `right`");
     let reason = format!(

@@ -1,22 +1,28 @@
 //! The parts of a group while it is resolved: what its statement gives and makes, and its dimensions.
 
+use proc_macro2::{Ident, Span};
+
+use crate::diagnostics::Extent;
 use crate::syntax::anatomy::{GroupSpec, Pin};
-use crate::syntax::tree::{self, Expr, GroupFieldValue};
+use crate::syntax::tree::{Expr, GroupFieldValue};
 
 use crate::model::expr::{AngleSum, Scalar};
 use crate::model::incidence::{Assembly, Carrier, Length};
 use crate::model::mechanism::{GroupId, GuideId, LinkId, PointId};
 
-/// The things a group statement has made, and those it was given.
-pub(in crate::model) struct Parts<'t> {
-    pub group: &'t tree::GroupStatement,
+/// The things that a group makes, and those that it stands on.
+pub(in crate::model) struct Parts {
+    /// Where messages about the whole group stand.
+    pub at: Span,
     pub anatomy: &'static GroupSpec,
     pub id: GroupId,
     /// One a leg; `None` where the name was in error.
     pub links: Vec<Option<LinkId>>,
     pub outer: Vec<Option<OuterJoint>>,
+    /// The name of its pin, where it has one or should have.
+    pub pin_name: Option<Ident>,
+    /// `None` where the name was in error, too.
     pub pin: Option<PointId>,
-    pub fields: Fields<'t>,
 }
 
 /// The support of an outer joint.
@@ -42,17 +48,19 @@ pub(in crate::model) struct Dimensions {
     pub relative_to: Option<Carrier>,
     pub slide: Option<Scalar>,
     pub slot: Option<AngleSum>,
+    /// Where that is written.
+    pub slot_at: Option<Extent>,
     /// In the order of the statement.
     pub offsets: Option<Vec<Scalar>>,
     pub assembly: Option<Assembly>,
 }
 
-impl Parts<'_> {
+impl Parts {
     /// True if the group has a pin, or should have one.
     pub(in crate::model) fn has_pin(&self) -> bool {
         match self.anatomy.pin {
             Pin::Needed => true,
-            Pin::Optional => self.group.pin.is_some(),
+            Pin::Optional => self.pin_name.is_some(),
             Pin::None(_) => false,
         }
     }

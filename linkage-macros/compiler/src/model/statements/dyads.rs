@@ -100,8 +100,10 @@ fn group(scope: &mut Scope<'_>, docs: &[Attribute], group: &tree::GroupStatement
     scope.mechanism.groups.push(GroupName { keyword, title });
     let outer = outer_joints(scope, group, anatomy);
     let fields = fields::fields(scope, group, anatomy);
-    let parts = Parts { group, anatomy, id, links, outer, pin, fields };
-    let step = jointed::jointed(scope, &parts).map(Step::Group);
+    let (at, pin_name) = (group.keyword.span(), group.pin.clone());
+    let parts = Parts { at, anatomy, id, links, outer, pin_name, pin };
+    let dimensions = jointed::dimensions(scope, &parts, group, &fields);
+    let step = jointed::place_group(scope, &parts, dimensions).map(Step::Group);
     facts_of_what_was_made(scope, &parts, step.is_some(), moves);
     scope.mechanism.steps.extend(step);
     drawn_joints::joints_are_as_drawn(scope, &parts);
