@@ -115,7 +115,6 @@ impl Exact {
         self.signum().is_eq()
     }
 
-    #[cfg(test)]
     pub(crate) fn is_one(&self) -> bool {
         match &self.form {
             ExactForm::Rational(value) => value.is_one(),
