@@ -1,46 +1,23 @@
 //! Mechanisms as they are drawn: `pin`, `link` and `drive` into the statements of drivers and
 //! groups.
 //!
-//! [`values`] knows the numbers of the drawing, [`bodies`] its names, [`frames`] the frames of its links. The
-//! room `chain` cuts the machine that they make; [`writer`] writes each step as a statement of the
-//! language, [`frame_shifts`] knows the frames that these give links, and [`sorted`] puts all of them in solving order. What
-//! comes out is resolved like any declaration, so that there is one meaning of everything. A group may have a slide or a
-//! drive the other way round, or measure it from elsewhere: [`slides`] says so, and [`joints`] tells the mechanism.
+//! | rooms, each standing on those above it | |
+//! |---|---|
+//! | `outline` | what is drawn: its numbers, frames, lines and bodies, and messages about them |
+//! | `reading` | reads these from the statements |
+//! | `drive_equations` | the inputs at which the drives are as drawn, and what each moves |
+//! | `group_frames` | the frames that groups give links |
+//! | `writing` | writes each step of the cut as a statement of the language, all in solving order |
+//!
+//! Between `drive_equations` and `writing` the room `chain` cuts the machine that is drawn. What comes out is resolved like
+//! any declaration, so that there is one meaning of everything. A group may have a slide or a drive the other way round, or
+//! measure it from elsewhere: `group_frames` says so, and `drawn_joints` tells the mechanism.
 
-mod agreement;
-mod as_unknown;
-mod bare_links;
-mod bars;
-mod bent;
-mod bodies;
-mod counted;
-mod ends;
-mod figures;
-mod followed;
-mod frame_shifts;
-mod frames;
-mod framing;
-pub(super) mod free_names;
+mod drive_equations;
 mod group_frames;
-mod group_statement;
-mod held;
-mod incidences;
-mod lengths;
-mod loose;
-mod messages;
-mod modes_as_drawn;
-mod motions;
-mod on_links;
-mod placed;
-mod rails;
-mod read_guides;
-mod reader;
-mod shared_params;
-mod slides;
-mod sorted;
-mod values;
-mod writer;
-mod written;
+mod outline;
+mod reading;
+pub(super) mod writing;
 
 use crate::model::drawn_links::{DrawnLinks, RodEnd};
 use proc_macro2::Ident;
@@ -54,9 +31,9 @@ use crate::syntax::tree::{
 
 use super::as_drawn::SearchFollowed;
 use super::mechanism::{Mechanism, References};
-use bodies::Bodies;
-use reader::Reader;
-use values::Measured;
+use outline::bodies::Bodies;
+use reading::reader::Reader;
+use reading::values::Measured;
 
 /// The declaration of the groups of a drawing.
 struct Translation {
@@ -93,7 +70,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     mechanism.as_drawn.searches = cut.searches;
     if cut.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
-        messages::report_held_reactions(tree, &mechanism, diagnostics);
+        outline::messages::report_held_reactions(tree, &mechanism, diagnostics);
     }
     for RodEnd { block, link, .. } in &cut.links.ends {
         let blocks = mechanism.links.iter_mut().filter(|other| other.name == *block);
@@ -103,7 +80,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     if cut.holds_links {
         asked = mechanism.dynamics.what_is_of_power(asked);
     }
-    mechanism.dynamics.asked = ends::as_of_links(&cut.links.ends, asked);
+    mechanism.dynamics.asked = writing::ends::as_of_links(&cut.links.ends, asked);
     let is_hidden = |field: &Ident| {
         cut.links.hidden.iter().any(|(name, _)| name == field)
             || tree.unwritten.names.contains(field)
@@ -123,25 +100,26 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         // Freedoms are counted from all statements, and one was not understood.
         return None;
     }
-    let frames = framing::written(&mut reader)?;
+    let frames = reading::framing::written(&mut reader)?;
     let mut bodies = reader.machine(drives, frames)?;
     bodies.machine.motions = values.motions(&bodies);
-    bare_links::note_slight_offsets(&bodies, values.scope.diagnostics);
-    shared_params::note_params_of_pins(&bodies, values.scope.diagnostics);
+    reading::bare_links::note_slight_offsets(&bodies, values.scope.diagnostics);
+    reading::shared_params::note_params_of_pins(&bodies, values.scope.diagnostics);
     let mut steps = steps(&bodies, values.scope.diagnostics)?;
     values.drives_agree(&bodies)?;
-    if lengths::pose_has_declared_lengths(&mut bodies, values.scope.diagnostics)? {
+    if outline::lengths::pose_has_declared_lengths(&mut bodies, values.scope.diagnostics)? {
         steps = self::steps(&bodies, values.scope.diagnostics)?;
     }
     let inputs = values.inputs_of_the_drawing(&bodies);
     bodies.driven = values.driven(&bodies, inputs.as_deref());
-    let mut writer = writer::Writer::new(&bodies, &values.pen);
+    let mut writer = writing::writer::Writer::new(&bodies, &values.pen);
     writer.fixed_links();
     steps.iter().for_each(|step| writer.step(step));
     let translated = writer.declaration();
-    let writer::Translated { statements, links, searches, holds_links, misplaced } = translated;
-    placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
-    placed::report_distances_apart(&bodies, &links.bars, values.scope.diagnostics)?;
+    let writing::writer::Translated { statements, links, searches, holds_links, misplaced } =
+        translated;
+    writing::placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
+    writing::placed::report_distances_apart(&bodies, &links.bars, values.scope.diagnostics)?;
     let declaration = Declaration {
         docs: tree.docs.clone(),
         visibility: tree.visibility.clone(),
@@ -160,13 +138,15 @@ fn steps(bodies: &Bodies<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Found
         Ok(steps) => steps,
         Err(troubles) => {
             for trouble in &troubles {
-                messages::report(bodies, trouble, diagnostics);
+                outline::messages::report(bodies, trouble, diagnostics);
             }
             return None;
         }
     };
-    if let Some(dyad) = chain::limits::at_limit(&bodies.machine, &steps, messages::LEAST_SINE) {
-        messages::report_limit(bodies, dyad, diagnostics);
+    if let Some(dyad) =
+        chain::limits::at_limit(&bodies.machine, &steps, outline::messages::LEAST_SINE)
+    {
+        outline::messages::report_limit(bodies, dyad, diagnostics);
         return None;
     }
     Some(steps)

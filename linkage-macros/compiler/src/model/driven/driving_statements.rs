@@ -9,7 +9,7 @@ use crate::syntax::tree::{
     PointStatement, Statement, StatementKind, Unwritten,
 };
 
-use crate::model::drawn::free_names::FreeNames;
+use crate::model::drawn::writing::free_names::FreeNames;
 use crate::model::driven::coordinate::{Coordinate, Moves};
 use crate::model::names::Kind;
 use crate::model::statements::declared_by;

@@ -1,0 +1,90 @@
+//! Bars and pins of links whose group has no such bar, or makes the pin elsewhere.
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree::Expr;
+
+use crate::model::drawn::group_frames::GroupFrames;
+use crate::model::drawn::outline::figures::Figure;
+use crate::model::drawn::outline::frames::{Heading, Origin};
+use crate::model::drawn_links::{BarFound, PinFound};
+
+impl GroupFrames<'_, '_> {
+    /// The bars between the first two pins of links that no group has as such bars.
+    pub(in crate::model::drawn) fn bars_between_pins(&self, bars: &[usize]) -> Vec<BarFound> {
+        let bodies = 1..self.bodies.machine.bodies.len();
+        let others = bodies.filter(|body| !bars.contains(body));
+        others.filter_map(|body| self.bar_between_pins(body)).collect()
+    }
+
+    /// The lengths between the first two pins of links that no group has as bars between them.
+    pub(in crate::model::drawn) fn lengths_between_pins(
+        &self,
+        bars: &[usize],
+    ) -> Vec<(Ident, Expr)> {
+        let bodies = (1..self.bodies.machine.bodies.len()).filter(|body| !bars.contains(body));
+        let lengths = bodies.filter_map(|body| {
+            let link = self.bodies.link(body);
+            let (&[first, second, ..], false) = (&link.pins[..], link.is_given) else {
+                return None;
+            };
+            Some((link.name.clone(), self.length(body, first, second)))
+        });
+        lengths.collect()
+    }
+
+    /// The pins between links that no group has which is declared by hand.
+    pub(in crate::model::drawn) fn joints(&self) -> Vec<Ident> {
+        let machine = &self.bodies.machine;
+        let is_joint = |pin: &usize| {
+            let mut bodies = machine.at(*pin);
+            bodies.all(|body| !machine.is_given(body)) && machine.at(*pin).count() > 1
+        };
+        let joints = (0..machine.pins.len()).filter(is_joint);
+        joints.map(|pin| self.bodies.pins[pin].name.clone()).collect()
+    }
+
+    fn bar_between_pins(&self, body: usize) -> Option<BarFound> {
+        let (link, own) = (self.bodies.link(body), self.own[body].as_ref()?);
+        let (&[first, second, ..], false) = (&link.pins[..], link.is_given) else { return None };
+        if matches!(link.length, Some((_, None))) {
+            return None;
+        }
+        let pen = self.pen.at(link.name.span());
+        let axis = pen.minus(self.place(second), self.place(first));
+        let size = pen.size(&axis);
+        let length = Figure::length(self.length(body, first, second), f64::NAN, None);
+        let half = pen.div(&length, &pen.whole(2));
+        let way = axis.map(|part| pen.mul(&half, &pen.div(&part, &size)));
+        let begin = pen.minus(self.place(first), &self.beginning(&pen, body, own));
+        let middle = pen.plus(&begin, &way);
+        let middle = match own.points {
+            Heading::X => middle,
+            _ => pen.seen_from(&own.axis, &middle),
+        };
+        let middle = middle.map(|number| number.text);
+        Some(BarFound { link: link.name.clone(), middle, length: length.text })
+    }
+
+    /// Where a pin of a link is that its group makes elsewhere.
+    pub(in crate::model::drawn) fn pin_elsewhere(
+        &self,
+        body: usize,
+        pin: usize,
+    ) -> Option<PinFound> {
+        let (link, own) = (self.bodies.link(body), self.own[body].as_ref()?);
+        let pen = self.pen.at(link.name.span());
+        let at = match (&link.length, &link.pins[..], own.points) {
+            (Some((length, _)), &[near, far], Heading::Pins(from, to))
+                if own.begins == Origin::Pin(from)
+                    && to == pin
+                    && [[near, far], [far, near]].contains(&[from, to]) =>
+            {
+                [(*length).clone(), pen.zero().text]
+            }
+            _ => own.local(&pen, self.place(pin)).map(|number| number.text),
+        };
+        let (link, pin) = (link.name.clone(), self.bodies.pins[pin].name.clone());
+        Some(PinFound { link, pin, at })
+    }
+}

@@ -1,0 +1,9 @@
+//! What is drawn: its numbers, the frames of its links and the lines of its guides, its bodies by name, and what
+//! messages say of them.
+
+pub(in crate::model::drawn) mod bodies;
+pub(in crate::model::drawn) mod figures;
+pub(in crate::model::drawn) mod frames;
+pub(in crate::model::drawn) mod lengths;
+pub(in crate::model::drawn) mod loose;
+pub(in crate::model::drawn) mod messages;

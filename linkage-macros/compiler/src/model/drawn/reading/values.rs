@@ -1,0 +1,283 @@
+//! Values of the numbers of a drawing: the numbers of a declaration are resolved with its pins
+//! as points that stand still, so that the rules and the messages of the ground's points are theirs.
+
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::{Ident, Span};
+
+use crate::diagnostics::Diagnostics;
+use crate::exact::Exact;
+use crate::syntax::tree::{
+    Declaration, Expr, ExprKind, GroundStatement, LetStatement, ParamStatement, PinStatement,
+    Statement, StatementKind, Unwritten,
+};
+
+use crate::model::drawn::outline::figures::{Figure, Pen};
+use crate::model::expr::{Axis, Scalar as Resolved};
+use crate::model::mechanism::{InputId, Mechanism, ParamKind};
+use crate::model::names::{Entity, Names};
+use crate::model::references::{expressions, names_used};
+use crate::model::statements::declared_by;
+use crate::model::{Scope, begun, expressions, numbers, order, statement_walk, units};
+
+/// What the numbers of a drawing are.
+pub(in crate::model::drawn) struct Measured<'d> {
+    pub scope: Scope<'d>,
+    pub pen: Pen,
+    /// By name, where the points of the ground and the pins are.
+    pub places: HashMap<String, [Figure; 2]>,
+}
+
+/// The statements whose numbers say where a drawing's pins are, its pins as points of the ground.
+fn numbers_of(tree: &Declaration) -> Declaration {
+    let mut known = HashSet::new();
+    let mut statements = Vec::new();
+    for statement in &tree.statements {
+        let uses_known =
+            || names_used(statement).iter().all(|name| known.contains(&name.to_string()));
+        let kind = match &statement.kind {
+            StatementKind::Input(input) => StatementKind::Input(input.clone()),
+            StatementKind::Param(ParamStatement { name, kind, default }) => {
+                StatementKind::Param(ParamStatement {
+                    name: name.clone(),
+                    kind: kind.clone(),
+                    default: default.clone(),
+                })
+            }
+            StatementKind::Let(LetStatement { name, value }) if uses_known() => {
+                StatementKind::Let(LetStatement { name: name.clone(), value: value.clone() })
+            }
+            StatementKind::Ground(GroundStatement { points })
+            | StatementKind::Pin(PinStatement { points }) => {
+                StatementKind::Ground(GroundStatement { points: points.clone() })
+            }
+            _ => continue,
+        };
+        known.extend(declared_by(statement).iter().map(|(name, _)| name.to_string()));
+        statements.push(Statement { docs: Vec::new(), kind });
+    }
+    Declaration {
+        docs: Vec::new(),
+        visibility: tree.visibility.clone(),
+        name: tree.name.clone(),
+        statements,
+        unread: crate::syntax::tree::Unread::Words(HashSet::new()),
+        is_damaged: false,
+        unwritten: Unwritten::default(),
+    }
+}
+
+/// The mistakes that are not reported.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Forgetting {
+    /// Those of named expressions that read pins: a pin that stands still has no rate, and a number of its place may be
+    /// out of a function's range. They are resolved once more where pins move.
+    OfPins,
+    Nothing,
+}
+
+fn numbers_of_a_drawing(scope: &mut Scope<'_>, numbers: &Declaration, forgetting: Forgetting) {
+    if forgetting == Forgetting::Nothing {
+        let pins = std::mem::take(&mut scope.names.pins);
+        scope.names = Names { pins, ..begun::names(numbers) };
+    }
+    let mut reading = scope.names.pins.clone();
+    for (index, statement) in numbers.statements.iter().enumerate() {
+        scope.names.go_to(index);
+        let before = scope.diagnostics.count();
+        statement_walk::statement(scope, statement);
+        let StatementKind::Let(LetStatement { name, .. }) = &statement.kind else { continue };
+        if names_used(statement).iter().any(|used| reading.contains(&used.to_string())) {
+            reading.insert(name.to_string());
+            if forgetting == Forgetting::OfPins {
+                scope.diagnostics.forget_since(before);
+            }
+        }
+    }
+    scope.names.go_to(numbers.statements.len());
+}
+
+fn pins_of(tree: &Declaration) -> impl Iterator<Item = &Ident> {
+    let points = tree.statements.iter().flat_map(|statement| match &statement.kind {
+        StatementKind::Pin(PinStatement { points }) => &points[..],
+        _ => &[],
+    });
+    points.map(|(name, _)| name)
+}
+
+/// The unit of the first length that has one.
+fn unit_of(tree: &Declaration) -> Option<String> {
+    let mut found = None;
+    for statement in &tree.statements {
+        expressions(statement, &mut |expr| {
+            let mut open = vec![expr];
+            while let Some(next) = open.pop() {
+                if let ExprKind::Number { units, .. } = &next.kind
+                    && let [(name, 1)] = &units[..]
+                    && units::unit(name).is_some_and(|(measure, _)| measure.length == 1)
+                {
+                    found.get_or_insert_with(|| name.clone());
+                }
+                open.extend(next.parts());
+            }
+        });
+    }
+    found
+}
+
+impl<'d> Measured<'d> {
+    /// The numbers of a drawing; `None` where one of them is in error, which was reported.
+    pub(in crate::model::drawn) fn of(
+        tree: &'d Declaration,
+        diagnostics: &'d mut Diagnostics,
+    ) -> Option<Self> {
+        let before = diagnostics.count();
+        let numbers = numbers_of(tree);
+        let mut scope = begun::scope(&numbers, &tree.unread, diagnostics);
+        scope.names.pins = pins_of(tree).map(ToString::to_string).collect();
+        scope.facts.longest_with_unit = begun::longest_with_unit(tree);
+        numbers_of_a_drawing(&mut scope, &numbers, Forgetting::OfPins);
+        order::statements_are_in_order(&mut scope, &numbers);
+        if scope.diagnostics.count() != before {
+            return None;
+        }
+        let pen = Pen { unit: unit_of(tree), at: Span::call_site() };
+        let mut values = Self { scope, pen, places: HashMap::new() };
+        for statement in &numbers.statements {
+            let StatementKind::Ground(GroundStatement { points }) = &statement.kind else {
+                continue;
+            };
+            for (name, written) in points {
+                let Some(place) = values.place(name, written) else {
+                    // The reason is among the mistakes that were not reported.
+                    numbers_of_a_drawing(&mut values.scope, &numbers, Forgetting::Nothing);
+                    return None;
+                };
+                values.places.insert(name.to_string(), place);
+            }
+        }
+        Some(values)
+    }
+
+    /// Where a point that was resolved is.
+    fn place(&self, name: &Ident, written: &[Expr; 2]) -> Option<[Figure; 2]> {
+        let Some(Entity::Point(id)) = self.scope.names.entity(name) else { return None };
+        let at = self.mechanism().ground_place(id)?;
+        let [x, y] = [0, 1].map(|i| self.number(&written[i], &at[i], name.span()));
+        Some([x?, y?])
+    }
+
+    pub(in crate::model::drawn) fn mechanism(&self) -> &Mechanism {
+        &self.scope.mechanism
+    }
+
+    /// The length that was written as this and resolved to that.
+    fn number(&self, written: &Expr, resolved: &Resolved, at: Span) -> Option<Figure> {
+        let exact = resolved.constant().cloned();
+        let value = value(resolved, self.mechanism(), &[])?;
+        let is_written_out = match &written.kind {
+            ExprKind::Negate(inner) => matches!(inner.kind, ExprKind::Number { .. }),
+            kind => matches!(kind, ExprKind::Number { .. }),
+        };
+        let number = Figure::length(self.substituted(written), value, exact);
+        Some(if is_written_out { number } else { self.pen.at(at).as_decimal(number) })
+    }
+
+    /// The expression with the pins' coordinates as they are drawn.
+    pub(in crate::model::drawn) fn substituted(&self, expr: &Expr) -> Expr {
+        expr.replaced(&|part| match &part.kind {
+            ExprKind::Member(owner, member) if member == "x" || member == "y" => {
+                let place = self.places.get(&owner.to_string())?;
+                Some(place[usize::from(member == "y")].text.clone())
+            }
+            _ => None,
+        })
+    }
+
+    /// The length that an expression of constants and parameters is; `None` where it is in error,
+    /// which is reported where the groups are resolved.
+    pub(in crate::model::drawn) fn length(&mut self, expr: &Expr) -> Option<Figure> {
+        let resolved = self.quietly(|scope| numbers::length(scope, expr))?;
+        Some(Figure::length(
+            self.substituted(expr),
+            value(&resolved, self.mechanism(), &[])?,
+            resolved.constant().cloned(),
+        ))
+    }
+
+    /// The same for an angle.
+    pub(in crate::model::drawn) fn angle(&mut self, expr: &Expr) -> Option<Figure> {
+        let resolved = self.quietly(|scope| numbers::plain_angle(scope, expr))?;
+        Some(Figure::plain(
+            self.substituted(expr),
+            value(&resolved, self.mechanism(), &[])?,
+            resolved.constant().cloned(),
+        ))
+    }
+
+    /// The value of an expression at these inputs.
+    pub(in crate::model::drawn) fn at_inputs(
+        &mut self,
+        expr: &Expr,
+        inputs: &[f64],
+    ) -> Option<f64> {
+        let resolved = self.quietly(|scope| expressions::quantity(scope, expr))?;
+        resolved.links.is_empty().then_some(())?;
+        value(&resolved.rest, self.mechanism(), inputs)
+    }
+
+    /// True if lengths or angles are in error by themselves, which is reported.
+    pub(in crate::model::drawn) fn are_in_error(
+        &mut self,
+        lengths: &[&Expr],
+        angles: &[&Expr],
+    ) -> bool {
+        let before = self.scope.diagnostics.count();
+        lengths.iter().for_each(|length| drop(numbers::length(&mut self.scope, length)));
+        angles.iter().for_each(|angle| drop(numbers::plain_angle(&mut self.scope, angle)));
+        self.scope.diagnostics.count() > before
+    }
+
+    /// What the rules make of something, whose mistakes are reported later.
+    fn quietly<T>(&mut self, f: impl FnOnce(&mut Scope<'_>) -> Option<T>) -> Option<T> {
+        let before = self.scope.diagnostics.count();
+        let found = f(&mut self.scope);
+        self.scope.diagnostics.forget_since(before);
+        found
+    }
+}
+
+/// The value of a number at the defaults of the parameters.
+fn value(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<f64> {
+    let value = folded(expr, mechanism, inputs)?.constant()?.to_f64();
+    value.is_finite().then_some(value)
+}
+
+/// The number as the constant that it is at the defaults of the parameters.
+fn folded(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<Resolved> {
+    let of = |expr: &Resolved| folded(expr, mechanism, inputs);
+    match expr {
+        Resolved::Constant(_) => Some(expr.clone()),
+        Resolved::Input(InputId(id)) => {
+            Some(Resolved::Constant(Exact::float(*inputs.get(*id as usize)?)?))
+        }
+        Resolved::Param(id) => match &mechanism.params[id.index()].kind {
+            ParamKind::Number { default, .. } => Some(Resolved::Constant(default.clone())),
+            _ => None,
+        },
+        Resolved::Let(id) => of(&mechanism.lets[id.index()].rest),
+        Resolved::Coordinate(point, axis) => {
+            let at = mechanism.ground_place(*point)?;
+            of(&at[usize::from(*axis == Axis::Y)])
+        }
+        Resolved::Negate(inner) => Some(of(inner)?.negated()),
+        Resolved::Chain(first, rest) => rest
+            .iter()
+            .try_fold(of(first)?, |sum, (operator, operand)| sum.combined(*operator, of(operand)?)),
+        Resolved::Call(function, arguments) => {
+            let arguments: Option<Vec<_>> = arguments.iter().map(of).collect();
+            Resolved::call(*function, arguments?)
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,125 @@
+//! Statements in an order in which each uses only what earlier ones make.
+
+use std::collections::HashMap;
+
+use proc_macro2::Ident;
+
+use crate::syntax::tree::{ExprKind, Statement, StatementKind};
+
+use crate::model::drawn::writing::written::Written;
+use crate::model::drawn_links::{DrawnLinks, SlideFound};
+use crate::model::references::{expressions, names_used};
+use crate::model::statements::declared_by;
+use crate::model::statements::guides::names_that_place;
+
+/// The statements, each behind those that it needs and else as they stand. What uses a part of a search
+/// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names
+/// are resolved.
+pub(in crate::model::drawn) fn ordered(
+    statements: Vec<Written>,
+    links: &DrawnLinks,
+) -> Vec<Statement> {
+    let mut makers = HashMap::new();
+    let mut solves = HashMap::new();
+    for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
+        for (name, _) in declared_by(statement) {
+            makers.entry(name.to_string()).or_insert(index);
+        }
+        if let (Some(search), StatementKind::Solve(_)) = (search, &statement.kind) {
+            solves.insert(*search, index);
+        }
+    }
+    let uses: Vec<Vec<usize>> = statements
+        .iter()
+        .enumerate()
+        .map(|(index, Written { statement, .. })| {
+            let placed_by = match &statement.kind {
+                StatementKind::Guide(guide) => names_that_place(guide, links.guide(&guide.name)),
+                _ => names_used(statement),
+            };
+            let used = placed_by.into_iter().chain(joints_read(statement, &links.slides));
+            let made = used.filter_map(|name| makers.get(&name.to_string()).copied());
+            made.filter(|&maker| maker != index).collect()
+        })
+        .collect();
+    let parts = parts_of_searches(&statements, &uses);
+    let mut needs: Vec<Vec<usize>> = uses
+        .iter()
+        .enumerate()
+        .map(|(index, made)| {
+            let own = parts[index];
+            let searches = made.iter().filter_map(|&maker| parts[maker]);
+            let others = searches.filter(|search| Some(*search) != own);
+            let mut solved: Vec<_> =
+                others.filter_map(|search| solves.get(&search).copied()).collect();
+            // The link that was left out follows its equation, unlike all that the equation reads.
+            let is_behind = own
+                .and_then(|own| solves.get(&own))
+                .filter(|&&solve| solve < index && !reached(&uses, &[solve])[index]);
+            solved.extend(is_behind);
+            [made.clone(), solved].concat()
+        })
+        .collect();
+    // A search begins when all is there that it stands on.
+    for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
+        if search.is_some() && matches!(statement.kind, StatementKind::Unknown(_)) {
+            let own: Vec<_> =
+                (0..statements.len()).filter(|&other| parts[other] == *search).collect();
+            let all: Vec<_> = own.iter().flat_map(|&other| needs[other].clone()).collect();
+            needs[index].extend(all.into_iter().filter(|need| !own.contains(need)));
+        }
+    }
+    let mut open: Vec<_> = statements.into_iter().map(|written| Some(written.statement)).collect();
+    let mut ordered = Vec::new();
+    for _ in 0..open.len() {
+        let is_free = |index: &usize| {
+            open[*index].is_some() && needs[*index].iter().all(|&need| open[need].is_none())
+        };
+        let next = (0..open.len()).find(is_free).or_else(|| open.iter().position(Option::is_some));
+        ordered.extend(next.and_then(|next| open[next].take()));
+    }
+    ordered
+}
+
+/// The links by whose joints those slide whose slides a statement reads.
+fn joints_read(statement: &Statement, slides: &[SlideFound]) -> Vec<Ident> {
+    let mut joints = Vec::new();
+    expressions(statement, &mut |expr| {
+        expr.each_part(&mut |part| {
+            let ExprKind::Member(link, member) = &part.kind else { return };
+            let own = slides.iter().filter(|slide| slide.is_first && slide.link == *link);
+            joints.extend(own.filter(|_| member == "slide").map(|slide| slide.by.clone()));
+        });
+    });
+    joints
+}
+
+/// The search that each statement is a part of: its own, or one that needs the statement and makes what it stands
+/// on, like a slot on a link that the unknown drives.
+fn parts_of_searches(statements: &[Written], uses: &[Vec<usize>]) -> Vec<Option<usize>> {
+    let mut parts: Vec<_> = statements.iter().map(|written| written.search).collect();
+    let searches = statements.iter().filter_map(|written| written.search).max();
+    for search in 0..searches.map_or(0, |last| last + 1) {
+        let own: Vec<_> = (0..uses.len()).filter(|&index| parts[index] == Some(search)).collect();
+        let needed = reached(uses, &own);
+        for index in (0..uses.len()).filter(|&index| needed[index]) {
+            let stands_on = reached(uses, &[index]);
+            if parts[index].is_none() && own.iter().any(|&member| stands_on[member]) {
+                parts[index] = Some(search);
+            }
+        }
+    }
+    parts
+}
+
+/// The statements, and all that they need.
+fn reached(uses: &[Vec<usize>], from: &[usize]) -> Vec<bool> {
+    let mut reached = vec![false; uses.len()];
+    let mut open = from.to_vec();
+    while let Some(next) = open.pop() {
+        if !std::mem::replace(&mut reached[next], true) {
+            open.extend(&uses[next]);
+        }
+    }
+    reached
+}
