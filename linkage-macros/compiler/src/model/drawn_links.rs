@@ -103,7 +103,7 @@ impl DrawnLinks {
         self.slides.iter().find(|slide| slide.link == *link && slide.is_first)
     }
 
-    /// What the drawing says of a guide.
+    /// The words of the drawing for a guide.
     pub(super) fn guide(&self, name: &Ident) -> Option<&GuideFound> {
         self.guides.iter().find(|found| found.guide == *name)
     }

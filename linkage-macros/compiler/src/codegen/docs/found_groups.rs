@@ -50,7 +50,7 @@ fn lines(mechanism: &Mechanism) -> Vec<String> {
     lines
 }
 
-/// How far a machine was followed with an unknown.
+/// The stretches over which a machine was followed with an unknown.
 fn followed(SearchFollowed { unknown, traced, stretches }: &SearchFollowed) -> String {
     let goes = stretches.iter().map(goes).collect::<Vec<_>>().join(", and while ");
     let alone = if stretches.len() > 1 { ", the others as drawn" } else { "" };
@@ -126,7 +126,7 @@ fn word(of: Modes, sign: Sign) -> &'static str {
     of.words()[usize::from(sign == Sign::Minus)]
 }
 
-/// What a number is written in.
+/// The unit in which a number is written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Unit {
     Length,

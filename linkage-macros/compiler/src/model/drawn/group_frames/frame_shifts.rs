@@ -111,7 +111,7 @@ impl<'b, 't> FrameShifts<'b, 't> {
         }
     }
 
-    /// What the drawing says of guides in place of points that the groups have not made of their bodies.
+    /// Places and angles of guides in place of points that the groups have not made of their bodies.
     pub(in crate::model::drawn) fn guides(&self) -> Vec<GuideFound> {
         let guides = self.bodies.other_statements().filter_map(|(_, statement)| {
             let StatementKind::Guide(guide) = &statement.kind else { return None };

@@ -1,4 +1,4 @@
-//! What is drawn: its numbers, the frames of its links and the lines of its guides, its bodies by name, and what
+//! The drawing: its numbers, the frames of its links and the lines of its guides, its bodies by name, and what
 //! messages say of them.
 
 pub(in crate::model::drawn) mod bodies;
