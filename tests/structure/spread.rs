@@ -244,7 +244,7 @@ const KINDS: [Kind; 8] = [
         name: "statements",
         aim: 8,
         facts: &[
-            fact(23, &[Name("Stop"), Name("StopStatement"), Text("stop")]),
+            fact(22, &[Name("Stop"), Name("StopStatement"), Text("stop")]),
             fact(22, &[Name("Spring"), Name("SpringStatement"), Text("spring")]),
             fact(11, &[Name("Friction"), Name("FrictionStatement"), Text("friction")]),
             fact(6, &[Name("Gravity"), Name("GravityStatement"), Text("gravity")]),
@@ -299,7 +299,7 @@ const KINDS: [Kind; 8] = [
         aim: 6,
         facts: &[
             fact(4, &[Name("Side")]),
-            fact(5, &[Text("left"), Text("right")]),
+            fact(4, &[Text("left"), Text("right")]),
             fact(3, &[Name("Sense")]),
             fact(5, &[Text("ahead"), Text("behind")]),
             fact(6, &[Name("Trend")]),

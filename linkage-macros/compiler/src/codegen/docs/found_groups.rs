@@ -5,15 +5,13 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::Ident;
 use syn::{Attribute, parse_quote};
 
-use crate::exact::Exact;
+use crate::codegen::docs::numbers_as_declared::{Declared, DeclaredUnit, constant};
 use crate::model::as_drawn::{SearchFollowed, Stretch};
 use crate::model::mechanism::{
-    AngleSum, Assembly, Axis, Carrier, Drive, Group, GuideDirection, GuideId, InputId, Joint,
-    LinkId, Mechanism, Mode, Operator, ParamId, ParamKind, Placement, PointId, Scalar, Sign,
-    Slideway, Step, Through, Unknown,
+    AngleSum, Assembly, Carrier, Drive, Group, GuideDirection, Joint, LinkId, Mechanism, Mode,
+    ParamKind, Placement, Scalar, Sign, Slideway, Step, Through, Unknown,
 };
 use crate::model::mechanism::{Dimension, Equation};
 use crate::model::modes::PARALLEL;
@@ -110,9 +108,9 @@ fn param(mechanism: &Mechanism, index: usize) -> String {
     match &param.kind {
         ParamKind::Number { dimension, default, .. } => {
             let unit = match *dimension {
-                Dimension::LENGTH => Unit::Length,
-                Dimension::ANGLE => Unit::Angle,
-                _ => Unit::Bare,
+                Dimension::LENGTH => DeclaredUnit::Length,
+                Dimension::ANGLE => DeclaredUnit::Angle,
+                _ => DeclaredUnit::Bare,
             };
             format!("param {} = {};", param.name, constant(default, unit))
         }
@@ -124,71 +122,6 @@ fn param(mechanism: &Mechanism, index: usize) -> String {
 
 fn word(of: Modes, sign: Sign) -> &'static str {
     of.words()[usize::from(sign == Sign::Minus)]
-}
-
-/// The unit in which a number is written.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Unit {
-    Length,
-    Angle,
-    /// Metres or radians, or no unit at all.
-    Bare,
-}
-
-/// A constant, without error where its text is not too long.
-fn constant(value: &Exact, unit: Unit) -> String {
-    match unit {
-        _ if value.is_zero() => "0".to_string(),
-        Unit::Bare => match decimal(value) {
-            Some(number) => number,
-            None => format!("({})", formula(value).unwrap_or_else(|| float(value))),
-        },
-        Unit::Length => length(value),
-        Unit::Angle => {
-            let degrees = Exact::pi().div(&Exact::integer(180)).and_then(|one| value.div(&one));
-            match (degrees.as_ref().and_then(decimal), formula(value)) {
-                (Some(degrees), _) => format!("{degrees}deg"),
-                (None, Some(angle)) => angle.replace("pi", "180deg"),
-                (None, None) => format!("{}rad", float(value)),
-            }
-        }
-    }
-}
-
-/// In millimetres below a metre.
-fn length(value: &Exact) -> String {
-    let millimetres = value.mul(&Exact::integer(1000));
-    let (number, unit) =
-        if value.to_f64().abs() < 1.0 { (&millimetres, "mm") } else { (value, "m") };
-    match (decimal(number), formula(number)) {
-        (Some(number), _) => format!("{number}{unit}"),
-        (None, Some(number)) => format!("({number}) * 1{unit}"),
-        (None, None) => format!("{}{unit}", float(number)),
-    }
-}
-
-/// The digits of a number that is a short decimal.
-fn decimal(value: &Exact) -> Option<String> {
-    let text = value.to_string();
-    let digits = text.strip_prefix('-').unwrap_or(&text);
-    let is_decimal = digits.bytes().all(|digit| digit.is_ascii_digit() || digit == b'.');
-    is_decimal.then_some(text)
-}
-
-/// The operations that a number is made by, if these are few.
-fn formula(value: &Exact) -> Option<String> {
-    Some(value.to_string()).filter(|text| !text.contains(['~', '^']))
-}
-
-fn float(value: &Exact) -> String {
-    format!("{:?}", value.to_f64())
-}
-
-/// Writes statements, and notes which inputs and parameters they read.
-struct Declared<'m> {
-    mechanism: &'m Mechanism,
-    inputs: BTreeSet<usize>,
-    params: BTreeSet<usize>,
 }
 
 impl Declared<'_> {
@@ -222,13 +155,15 @@ impl Declared<'_> {
         match place {
             Placement::Cartesian(at) => self.pair(at),
             Placement::Polar(radius, angle) => {
-                let radius = self.number(radius, Unit::Length);
-                format!("polar ({radius}, {})", self.number(angle, Unit::Angle))
+                let radius = self.number(radius, DeclaredUnit::Length);
+                format!("polar ({radius}, {})", self.number(angle, DeclaredUnit::Angle))
             }
             Placement::Distances { distances, side, .. } => {
-                let [first, second] =
-                    distances.each_ref().map(|distance| self.number(&distance.value, Unit::Length));
-                format!("distances ({first}, {second}) {}", word(Modes::Side, *side))
+                let [first, second] = distances
+                    .each_ref()
+                    .map(|distance| self.number(&distance.value, DeclaredUnit::Length));
+                let side = word(Modes::Side, *side);
+                format!("distances ({first}, {second}) {side}")
             }
         }
     }
@@ -259,11 +194,12 @@ impl Declared<'_> {
         let mut fields = Vec::new();
         match &group.lengths.iter().flatten().collect::<Vec<_>>()[..] {
             [length] => {
-                fields.push(format!("length: {}", self.number(&length.value, Unit::Length)));
+                fields
+                    .push(format!("length: {}", self.number(&length.value, DeclaredUnit::Length)));
             }
             [first, second] => {
                 let [first, second] =
-                    [first, second].map(|length| self.number(&length.value, Unit::Length));
+                    [first, second].map(|length| self.number(&length.value, DeclaredUnit::Length));
                 fields.push(format!("lengths: ({first}, {second})"));
             }
             _ => {}
@@ -276,7 +212,7 @@ impl Declared<'_> {
                 }
             }
             Some(Drive::Slide(slide)) => {
-                fields.push(format!("slide: {}", self.number(slide, Unit::Length)));
+                fields.push(format!("slide: {}", self.number(slide, DeclaredUnit::Length)));
             }
             None => {}
         }
@@ -286,10 +222,12 @@ impl Declared<'_> {
         let offsets = group.offsets();
         match &offsets[..] {
             all if all.iter().all(|offset| offset.is_zero()) => {}
-            [offset] => fields.push(format!("offset: {}", self.number(offset, Unit::Length))),
+            [offset] => {
+                fields.push(format!("offset: {}", self.number(offset, DeclaredUnit::Length)))
+            }
             [first, second, ..] => {
                 let [first, second] =
-                    [first, second].map(|offset| self.number(offset, Unit::Length));
+                    [first, second].map(|offset| self.number(offset, DeclaredUnit::Length));
                 fields.push(format!("offsets: ({first}, {second})"));
             }
             [] => {}
@@ -316,27 +254,31 @@ impl Declared<'_> {
 
     fn unknown(&mut self, unknown: &Unknown) -> String {
         let (kind, unit) = match unknown.dimension {
-            Dimension::ANGLE => ("angle", Unit::Angle),
-            _ => ("length", Unit::Length),
+            Dimension::ANGLE => ("angle", DeclaredUnit::Angle),
+            _ => ("length", DeclaredUnit::Length),
         };
         let [from, to] = unknown.between.each_ref().map(|end| self.number(end, unit));
         format!("unknown {}: {kind} between ({from}, {to});", unknown.name)
     }
 
     fn solve(&mut self, unknown: &Unknown) -> String {
-        let unit = if unknown.measure == Dimension::LENGTH { Unit::Length } else { Unit::Bare };
+        let unit = if unknown.measure == Dimension::LENGTH {
+            DeclaredUnit::Length
+        } else {
+            DeclaredUnit::Bare
+        };
         let equation = match &unknown.equation {
             Equation::Difference(sides) => {
                 sides.each_ref().map(|side| self.number(side, unit)).join(" = ")
             }
             Equation::Turn(angle) => format!("{} = 0", self.turn(angle)),
             Equation::Distance { points: [p, q], length, .. } => {
-                let length = self.number(&length.value, Unit::Length);
+                let length = self.number(&length.value, DeclaredUnit::Length);
                 format!("distance({}, {}) = {length}", self.point(*p), self.point(*q))
             }
         };
         let mode = self.word(Modes::Trend, unknown.mode);
-        let near = unknown.near.as_ref().map(|near| self.number(near, Unit::Bare));
+        let near = unknown.near.as_ref().map(|near| self.number(near, DeclaredUnit::Bare));
         let near = near.map_or(String::new(), |near| format!(", near: {near}"));
         format!("solve {} {{ {equation}, mode: {mode}{near} }}", unknown.name)
     }
@@ -350,7 +292,7 @@ impl Declared<'_> {
 
     /// Coordinates.
     fn pair(&mut self, at: &[Scalar; 2]) -> String {
-        let [x, y] = at.each_ref().map(|part| self.number(part, Unit::Length));
+        let [x, y] = at.each_ref().map(|part| self.number(part, DeclaredUnit::Length));
         format!("({x}, {y})")
     }
 
@@ -371,95 +313,9 @@ impl Declared<'_> {
             };
         }
         match (text.is_empty(), rest.is_zero()) {
-            (true, _) => self.number(rest, Unit::Angle),
+            (true, _) => self.number(rest, DeclaredUnit::Angle),
             (false, true) => text,
-            (false, false) => format!("{text} + {}", self.operand(rest, Unit::Angle)),
+            (false, false) => format!("{text} + {}", self.operand(rest, DeclaredUnit::Angle)),
         }
-    }
-
-    fn number(&mut self, value: &Scalar, unit: Unit) -> String {
-        match value {
-            Scalar::Constant(value) => constant(value, unit),
-            Scalar::Input(input) => self.input(*input),
-            Scalar::Param(param) => self.param(*param),
-            Scalar::Load(load) => self.mechanism.dynamics.loads[load.index()].name.to_string(),
-            Scalar::Unknown(unknown) => self.mechanism.unknowns[unknown.index()].name.to_string(),
-            Scalar::Let(id) => self.number(&self.mechanism.lets[id.index()].rest, unit),
-            Scalar::Slide(link) => format!("{}.slide", self.link(*link)),
-            Scalar::Coordinate(point, axis) => {
-                let axis = if *axis == Axis::X { "x" } else { "y" };
-                format!("{}.{axis}", self.point(*point))
-            }
-            Scalar::Distance([p, q]) => format!("distance({}, {})", self.point(*p), self.point(*q)),
-            Scalar::Offset(point, guide) => {
-                format!("offset({}, {})", self.point(*point), self.guide(*guide))
-            }
-            Scalar::AboveZero(number) => self.number(&number.value, Unit::Bare),
-            Scalar::Negate(inner) => format!("-{}", self.operand(inner, unit)),
-            Scalar::Chain(first, rest) => self.chain(first, rest, unit),
-            Scalar::Call(function, arguments) => {
-                let arguments: Vec<_> =
-                    arguments.iter().map(|argument| self.number(argument, Unit::Bare)).collect();
-                format!("{}({})", function.name(), arguments.join(", "))
-            }
-            // Nothing that moves the machine reads them.
-            Scalar::Pull
-            | Scalar::Law(_)
-            | Scalar::Twist(_)
-            | Scalar::Effort(..)
-            | Scalar::Rate(_) => "…".to_string(),
-        }
-    }
-
-    /// Operations, each on what the one before has made.
-    fn chain(&mut self, first: &Scalar, rest: &[(Operator, Scalar)], unit: Unit) -> String {
-        let is_sum = rest.iter().all(|(sign, _)| matches!(sign, Operator::Add | Operator::Sub));
-        let unit = if is_sum { unit } else { Unit::Bare };
-        let mut text = self.operand(first, unit);
-        for (index, (operator, operand)) in rest.iter().enumerate() {
-            let is_product = |sign| matches!(sign, Operator::Mul | Operator::Div);
-            if is_product(*operator) && rest[..index].iter().any(|(sign, _)| !is_product(*sign)) {
-                text = format!("({text})");
-            }
-            let sign = match operator {
-                Operator::Add => '+',
-                Operator::Sub => '-',
-                Operator::Mul => '*',
-                Operator::Div => '/',
-            };
-            text += &format!(" {sign} {}", self.operand(operand, unit));
-        }
-        text
-    }
-
-    /// An operand, in parentheses where it is a chain itself.
-    fn operand(&mut self, value: &Scalar, unit: Unit) -> String {
-        let text = self.number(value, unit);
-        match text.contains(' ') && !text.ends_with(')') || matches!(value, Scalar::Chain(..)) {
-            true => format!("({text})"),
-            false => text,
-        }
-    }
-
-    fn input(&mut self, input: InputId) -> String {
-        self.inputs.insert(input.index());
-        self.mechanism.inputs[input.index()].name.to_string()
-    }
-
-    fn param(&mut self, param: ParamId) -> String {
-        self.params.insert(param.index());
-        self.mechanism.params[param.index()].name.to_string()
-    }
-
-    fn point(&self, point: PointId) -> &Ident {
-        &self.mechanism.points[point.index()].name
-    }
-
-    fn link(&self, link: LinkId) -> &Ident {
-        &self.mechanism.links[link.index()].name
-    }
-
-    fn guide(&self, guide: GuideId) -> &Ident {
-        &self.mechanism.guides[guide.index()].name
     }
 }

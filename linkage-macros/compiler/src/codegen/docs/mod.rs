@@ -6,6 +6,7 @@ pub(super) mod doc_comments;
 pub(super) mod force_docs;
 pub(crate) mod found_groups;
 mod groups_in_words;
+mod numbers_as_declared;
 mod ranges_in_words;
 mod searches_in_words;
 mod stub_docs;

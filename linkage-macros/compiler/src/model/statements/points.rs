@@ -154,10 +154,11 @@ fn in_the_frame_of_its_group(
     match place {
         Placement::Cartesian(at) => Placement::Cartesian(shift.place(at)),
         Placement::Polar(radius, angle) => {
-            let along = [Function::Cos, Function::Sin].map(|function| {
-                let part = Scalar::call(function, vec![angle.clone()]);
-                part.map(|part| radius.clone().times(part)).unwrap_or_else(Scalar::zero)
-            });
+            let part = |function| match Scalar::call(function, vec![angle.clone()]) {
+                Some(part) => radius.clone().times(part),
+                None => Scalar::zero(),
+            };
+            let along = [part(Function::Cos), part(Function::Sin)];
             Placement::Cartesian(shift.place(along))
         }
         Placement::Distances { distances: [first, second], length, side } if shift.is_reversed => {

@@ -33,11 +33,7 @@ pub(in crate::model::drawn) fn ordered(
         .iter()
         .enumerate()
         .map(|(index, Written { statement, .. })| {
-            let placed_by = match &statement.kind {
-                StatementKind::Guide(guide) => names_that_place(guide, links.guide(&guide.name)),
-                _ => names_used(statement),
-            };
-            let used = placed_by.into_iter().chain(joints_read(statement, &links.slides));
+            let used = names_needed(statement, links).into_iter();
             let made = used.filter_map(|name| makers.get(&name.to_string()).copied());
             made.filter(|&maker| maker != index).collect()
         })
@@ -79,6 +75,16 @@ pub(in crate::model::drawn) fn ordered(
         ordered.extend(next.and_then(|next| open[next].take()));
     }
     ordered
+}
+
+/// The names that a statement needs: of a guide those by which it is placed.
+fn names_needed(statement: &Statement, links: &DrawnLinks) -> Vec<Ident> {
+    let mut names = match &statement.kind {
+        StatementKind::Guide(guide) => names_that_place(guide, links.guide(&guide.name)),
+        _ => names_used(statement),
+    };
+    names.extend(joints_read(statement, &links.slides));
+    names
 }
 
 /// The links by whose joints those slide whose slides a statement reads.
