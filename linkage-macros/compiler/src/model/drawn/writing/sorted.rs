@@ -20,21 +20,18 @@ pub(in crate::model::drawn) fn ordered(
     links: &DrawnLinks,
 ) -> Vec<Statement> {
     let mut makers = HashMap::new();
-    let mut solves = HashMap::new();
-    for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
+    for (index, Written { statement, .. }) in statements.iter().enumerate() {
         for (name, _) in declared_by(statement) {
             makers.entry(name.to_string()).or_insert(index);
         }
-        if let (Some(search), StatementKind::Solve(_)) = (search, &statement.kind) {
-            solves.insert(*search, index);
-        }
     }
+    let solves = solves_of_searches(&statements);
     let uses: Vec<Vec<usize>> = statements
         .iter()
         .enumerate()
         .map(|(index, Written { statement, .. })| {
-            let used = names_needed(statement, links).into_iter();
-            let made = used.filter_map(|name| makers.get(&name.to_string()).copied());
+            let needed = names_needed(statement, links);
+            let made = needed.iter().filter_map(|name| makers.get(&name.to_string()).copied());
             made.filter(|&maker| maker != index).collect()
         })
         .collect();
@@ -75,6 +72,15 @@ pub(in crate::model::drawn) fn ordered(
         ordered.extend(next.and_then(|next| open[next].take()));
     }
     ordered
+}
+
+/// By search, the statement that solves it.
+fn solves_of_searches(statements: &[Written]) -> HashMap<usize, usize> {
+    let solves = statements.iter().enumerate().filter_map(|(index, written)| {
+        let is_solve = matches!(written.statement.kind, StatementKind::Solve(_));
+        Some((written.search.filter(|_| is_solve)?, index))
+    });
+    solves.collect()
 }
 
 /// The names that a statement needs: of a guide those by which it is placed.
