@@ -6,6 +6,8 @@ mod efforts;
 mod heavy_machines;
 #[path = "both_ways/machines.rs"]
 mod machines;
+#[path = "both_ways/roundings.rs"]
+mod roundings;
 #[path = "both_ways/there_and_back.rs"]
 mod there_and_back;
 
@@ -112,36 +114,32 @@ fn all_pairs(poses: usize) -> Vec<(&'static str, Tally)> {
     }
 }
 
-/// Pairs whose worst error is larger: near a fold of the rhombus, and next to a toggle.
-const WORSE: [(&str, f64); 4] = [
-    ("PantographArms -> PantographStylus", 700.0),
-    ("PantographArms -> PantographCopy", 700.0),
-    ("PantographStylus -> PantographCopy", 100.0),
-    ("ScissorArm -> ScissorDeck", 1000.0),
-];
+/// Pairs of which more than one pose in a thousand is off by more than eight roundings times the condition of the way
+/// back: near a fold of the rhombus, and next to a toggle.
+const WORSE: [&str; 2] = ["PantographArms -> PantographStylus", "ScissorArm -> ScissorDeck"];
 
 #[test]
 fn no_pose_comes_back_elsewhere() {
     let poses = cases(1_000, 100_000);
     let (mut blind, mut most, mut all) = (0, 0, 0);
     for (pair, tally) in all_pairs(poses) {
-        let Tally { back, other, refused, one_way, torn, elsewhere_by_position, errors } = &tally;
+        let Tally { back, other, refused, one_way, torn, elsewhere_by_position, errors, .. } =
+            &tally;
         let at = |share: f64| errors[(share * (errors.len() - 1) as f64) as usize];
         let above = errors.iter().filter(|error| **error > 8.0).count();
         println!(
             "{pair:50} back {back:6} other {other:6} refused {refused:6} one way {one_way:4} torn {torn:3} by \
-             position {elsewhere_by_position:6} error {:.1} / {:.1} / {:.1} ε, above 8: {above}",
+             position {elsewhere_by_position:6} error {:.1} / {:.1} / {:.1} ε, above 8: {above}; of both ways {:.1} ε",
             at(0.5),
             at(0.99),
-            at(1.0)
+            at(1.0),
+            tally.worst_of_both
         );
         assert_eq!(*torn, 0, "{pair}");
         // Each way has the pose or says why; fewer poses would try little.
         assert!(back * 10 > poses, "{pair}: {back}");
-        let worst =
-            WORSE.iter().find(|(named, _)| *named == pair).map_or(16.0, |(_, worst)| *worst);
-        assert!(at(1.0) <= worst, "{pair}: {} ε", at(1.0));
-        if worst == 16.0 {
+        assert!(tally.worst_of_both <= 16.0, "{pair}: {} ε", tally.worst_of_both);
+        if !WORSE.contains(&pair) {
             assert!(above * 1000 <= errors.len().max(1000), "{pair}: {above} above 8 ε");
         }
         (blind, all) = (blind + elsewhere_by_position, all + back + other);

@@ -47,8 +47,9 @@ pub struct AssembledSide {
     pub is_positive: bool,
 }
 
-/// Units in the last place by which places may be off, times the terms of a cross product.
-const ROUNDINGS: f64 = 64.0;
+/// Roundings of a cross product over the square of the largest number in it: each place may be off by some units in the
+/// last place of the machine's size, and each of four products by two of these. Printed C has the same number.
+const ROUNDINGS: f64 = 128.0;
 
 impl AssembledSide {
     /// True if the pin is left or ahead in this pose; nothing where rounding does not tell, at a limit of the group or
@@ -59,17 +60,16 @@ impl AssembledSide {
         let value = |place| value(place, inputs, rows).value();
         let ([x, y], pin) = (self.from.map(value), self.pin.map(value));
         let [right, up] = [pin[0] - x, pin[1] - y];
-        // Places are off by a few units in the last place of the machine's size.
-        let size = x.abs() + y.abs() + right.abs() + up.abs();
-        let (across, long) = match self.way {
+        let size = x.abs().max(y.abs()).max(right.abs().max(up.abs()));
+        let rounding = ROUNDINGS * T::EPSILON * size;
+        let (across, rounding) = match self.way {
             Way::Towards(to) => {
                 let [to_x, to_y] = to.map(value);
-                ((to_x - x) * up - (to_y - y) * right, size)
+                ((to_x - x) * up - (to_y - y) * right, rounding * size)
             }
-            Way::Along([along_x, along_y]) => (along_x * right + along_y * up, 1.0),
+            Way::Along([along_x, along_y]) => (along_x * right + along_y * up, rounding),
         };
-        let is_told = across.abs() > ROUNDINGS * T::EPSILON * size * long;
-        is_told.then_some(across > 0.0)
+        (across.abs() > rounding).then_some(across > 0.0)
     }
 }
 

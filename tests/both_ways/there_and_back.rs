@@ -24,6 +24,10 @@ pub(crate) struct Tally {
     pub(crate) elsewhere_by_position: usize,
     /// Errors over ε × (|∂own/∂other| |other| + 1), in rising order.
     pub(crate) errors: Vec<f64>,
+    /// The worst over ε × (|∂own/∂other| (|other| + |∂other/∂own| |own|) + 1): both evaluations are off as if their inputs
+    /// were by some roundings, and what the first is off by goes through the second. Next to a limit of the first that is
+    /// more than the second's own.
+    pub(crate) worst_of_both: f64,
 }
 
 /// A number that is an angle, by its value in the drawing; lengths have a size.
@@ -85,7 +89,7 @@ where
             by_position::<A, B, N>(&a, q).and_then(|there| by_position::<B, A, N>(&b, there));
         tally.elsewhere_by_position += usize::from(blind.is_some_and(elsewhere));
         let there = match Transfer::<A, B, N>::new(a, <A as Solver>::Input::from_array(q)) {
-            Ok(there) => there.coordinates,
+            Ok(there) => there,
             Err(TransferError::OtherAssembly { .. }) => {
                 tally.other += 1;
                 continue;
@@ -95,7 +99,7 @@ where
                 continue;
             }
         };
-        let back = match Transfer::<B, A, N>::new(b, there) {
+        let back = match Transfer::<B, A, N>::new(b, there.coordinates) {
             Ok(back) => back,
             // Another assembly of `a` than the one that it just had: the pose is not its own.
             Err(TransferError::OtherAssembly { .. }) => {
@@ -113,14 +117,40 @@ where
             continue;
         }
         tally.back += 1;
-        let Ok(ratios) = back.ratios() else { continue };
-        let there = there.into_array();
-        let error = (0..N).map(|i| {
-            let condition: f64 = (0..N).map(|j| (ratios[i][j] * there[j]).abs()).sum();
-            off(&kinds[i], found[i], q[i]).abs() / (f64::EPSILON * (condition + 1.0))
-        });
-        tally.errors.push(error.fold(0.0, f64::max));
+        let (Ok(ratios), Ok(given)) = (back.ratios(), there.ratios()) else { continue };
+        let way = Way { kinds: &kinds, size, given, back: ratios };
+        let [error, worst] = way.errors(q, there.coordinates.into_array(), found);
+        tally.errors.push(error);
+        tally.worst_of_both = tally.worst_of_both.max(worst);
     }
     tally.errors.sort_by(f64::total_cmp);
     tally
+}
+
+/// The ratios of both ways, and what the numbers of the first are.
+struct Way<'a, const N: usize> {
+    kinds: &'a [Kind; N],
+    size: f64,
+    given: [[f64; N]; N],
+    back: [[f64; N]; N],
+}
+
+impl<const N: usize> Way<'_, N> {
+    /// The worst error of a coordinate over ε × the condition of the way back, and over that of both ways.
+    fn errors(&self, q: [f64; N], there: [f64; N], found: [f64; N]) -> [f64; 2] {
+        let Self { kinds, size, given, back } = self;
+        let (mut error, mut worst) = (0.0_f64, 0.0_f64);
+        let sized =
+            |k: usize| q[k].abs() + if matches!(kinds[k], Kind::Angle) { 1.0 } else { *size };
+        let by_first = |j: usize| (0..N).map(|k| (given[j][k] * sized(k)).abs()).sum::<f64>();
+        for i in 0..N {
+            let own = |j: usize| (back[i][j] * there[j]).abs();
+            let condition: f64 = (0..N).map(own).sum();
+            let of_both: f64 = (0..N).map(|j| own(j) + back[i][j].abs() * by_first(j)).sum();
+            let off = off(&kinds[i], found[i], q[i]).abs() / f64::EPSILON;
+            error = error.max(off / (condition + 1.0));
+            worst = worst.max(off / (of_both + 1.0));
+        }
+        [error, worst]
+    }
 }
