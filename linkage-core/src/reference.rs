@@ -261,6 +261,7 @@ pub mod control {
 
 pub mod robots {
     //! [`limits`]: crate::range::limits()
+    //! [sets of inputs]: super::language#several-sets-of-inputs
     //!
     #![doc = include_str!("../docs/robots.md")]
 }

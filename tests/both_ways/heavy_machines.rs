@@ -84,3 +84,22 @@ mechanism! {
         output theta.drive, x.drive;
     }
 }
+
+mechanism! {
+    pub struct HeavyAnkle {
+        load fx, fy: force;
+        ground K(0, 0);
+        pin A(0, -400mm), B(50mm, 0), H(60mm, -400mm), toe(120mm, -430mm);
+        link shank(K, A), arm(K, B), rod(B, H), foot(A, H, toe);
+        gravity (0, -9.81);
+        mass 3kg on shank uniform;
+        mass 0.3kg on arm uniform;
+        mass 0.25kg on rod uniform;
+        mass 1kg on foot at (30mm, -10mm) inertia 0.002(kg*m^2);
+        force (fx, fy) on toe;
+
+        input motors { knee = shank.angle + 90deg, motor = arm.angle }
+        input joints { knee, ankle = foot.angle - shank.angle - 90deg }
+        output knee.drive, motor.drive, ankle.drive;
+    }
+}

@@ -2,7 +2,7 @@
  * without rounding, and reasons. linkage_run.h says whose text this is. */
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0xc3b0bfd8u
+#if LINKAGE_RUN_TIME != 0x3f799458u
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 
@@ -684,6 +684,7 @@ const char *linkage_status_text(LinkageStatus status)
     case LINKAGE_NO_SOLUTION: return "no solution of the mode between the ends of the unknown";
     case LINKAGE_SEVERAL_DEAD_POINTS: return "several dead points between the ends of the unknown: narrow the interval";
     case LINKAGE_JAMS: return "jams: friction may hold itself at the joint";
+    case LINKAGE_OTHER_ASSEMBLY: return "other assembly: the group has another side than for the other set of inputs";
     default: return "no status of linkage";
     }
 }

@@ -10,7 +10,7 @@
 #define LINKAGE_RUN_H
 
 /* A hash of the whole run-time: sources that were printed with another one do not compile with it. */
-#define LINKAGE_RUN_TIME 0xc3b0bfd8u
+#define LINKAGE_RUN_TIME 0x3f799458u
 
 #include <float.h>
 #include <math.h>
@@ -197,6 +197,7 @@ typedef struct LinkageSlidingAccelerationF32 {
 #define LINKAGE_NO_SOLUTION 8
 #define LINKAGE_SEVERAL_DEAD_POINTS 9
 #define LINKAGE_JAMS 10
+#define LINKAGE_OTHER_ASSEMBLY 11
 
 #ifndef LINKAGE_WORDS
 #define LINKAGE_WORDS

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::mjcf::Plane;
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
@@ -10,6 +11,7 @@ const FLAGS: &str = "\
 Wherever they apply:
   -o PATH                what is written: a folder where several files come, a file otherwise
   --machine NAME         one mechanism of several
+  --inputs SET,…         one named set of inputs, or some of them
   --between theta=0..90deg, --at theta=2rad, --rate theta=2, --load cut=1kN
                          what is looked at: ranges, values and rates of inputs, loads
   --set crank=90mm       another value of a parameter than the declared one
@@ -86,11 +88,12 @@ pub(crate) enum Command {
     /// With --within the exit status is 1 where an error is not shown to be within.
     #[command(verbatim_doc_comment)]
     Report(ReportArguments),
-    /// Print a machine of PMKS+, pyslvs or pylinkage as a declaration
+    /// Print a machine of PMKS+, pyslvs, pylinkage or MuJoCo as a declaration
     ///
     ///     linkage import 'https://app.pmksplus.com/?2P.Fe.K,0.1011.MA,A,0,0,0…' -o machine.rs
     ///     linkage import machine.json --unit m
     ///     linkage import machine.txt --drive 0,1
+    ///     linkage import robot.xml
     #[command(verbatim_doc_comment)]
     Import(Import),
     /// Write a page on which the machine is dragged
@@ -118,6 +121,10 @@ pub(crate) enum Command {
     ///     linkage export c shear.rs -o control/
     ///     linkage export c shear.rs -o control/ --only motion_at,f32
     ///     linkage export c arm.rs -o acme/ --prefix acme
+    ///     linkage export c robot.rs -o control/ --inputs motors,hand
+    ///
+    /// A machine with several sets of inputs has a solver each, and files under its own name, which carry poses, rates,
+    /// efforts and inertias over from one set to another.
     ///
     /// With a prefix the solvers of two suppliers, of one name and from two versions, stand in one program. A folder with
     /// sources of another version is left alone, since its run-time would be overwritten. Names of inputs and outputs, the
@@ -141,6 +148,13 @@ pub(crate) enum Command {
     /// the group's name in the log.
     ///
     ///     linkage export fmu press.rs -o press.fmu
+    ///     linkage export fmu robot.rs -o robot.fmu --inputs motors
+    ///
+    /// mjcf: a drawing as bodies of MuJoCo. Loops are held by `connect`, a distance that is driven is a tendon, limits are
+    /// those of stops, and the keyframe `drawn` is the drawing. With --tree there are no loops: joints follow the one that is
+    /// driven by polynomials, whose worst error stands beside them.
+    ///
+    ///     linkage export mjcf robot.rs -o robot.xml --inputs motors --plane xz
     ///
     /// rust: the code that the declarations become.
     #[command(verbatim_doc_comment)]
@@ -153,6 +167,9 @@ pub(crate) struct Chosen {
     /// The mechanism to take; all of them without this
     #[arg(long, value_name = "NAME")]
     pub machine: Option<String>,
+    /// The named sets of inputs to take; all of them without this
+    #[arg(long, value_name = "SET,…", value_delimiter = ',')]
+    pub inputs: Vec<String>,
     /// Another value of a parameter than the declared one, as in the language: crank=90mm
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -221,7 +238,8 @@ pub(crate) struct ReportArguments {
 /// The arguments of `import`.
 #[derive(Debug, Args)]
 pub(crate) struct Import {
-    /// An address of PMKS+, or a file with an address, a pyslvs expression or pylinkage's JSON; `-` is standard input
+    /// An address of PMKS+, or a file with an address, a pyslvs expression, pylinkage's JSON or a planar model of MuJoCo; `-`
+    /// is standard input
     pub source: String,
     /// The name of the mechanism
     #[arg(long)]
@@ -304,6 +322,15 @@ pub(crate) struct Export {
     /// For fmu: take inputs and their rates as given, whatever has mass
     #[arg(long)]
     pub kinematic: bool,
+    /// For mjcf: the plane of the drawing in space; xz without this, z up
+    #[arg(long, value_enum)]
+    pub plane: Option<Plane>,
+    /// For mjcf: no loops; the other joints follow the driven one by polynomials
+    #[arg(long)]
+    pub tree: bool,
+    /// For mjcf --tree: the range of the input
+    #[arg(long, value_name = "NAME=FROM..TO")]
+    pub between: Vec<String>,
 }
 
 /// The language or the format of a solver.
@@ -312,6 +339,7 @@ pub(crate) enum Format {
     C,
     St,
     Fmu,
+    Mjcf,
     Rust,
 }
 

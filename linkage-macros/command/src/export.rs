@@ -7,18 +7,21 @@ use linkage_compiler::{File, Options, compile};
 use proc_macro2::TokenStream;
 
 use crate::arguments::{Export, Format, Sines};
-use crate::fmu;
 use crate::output::{self, Failure};
 use crate::program::Program;
+use crate::{fmu, mjcf};
 
 pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
     // The flags that some formats alone have.
     let texts = &[Format::C, Format::St];
-    let flags: [(&str, bool, &[Format]); 4] = [
+    let flags: [(&str, bool, &[Format]); 7] = [
         ("--only", !arguments.only.is_empty(), texts),
         ("--prefix", arguments.prefix.is_some(), texts),
         ("--sines", arguments.sines.is_some(), &[Format::St]),
         ("--kinematic", arguments.kinematic, &[Format::Fmu]),
+        ("--plane", arguments.plane.is_some(), &[Format::Mjcf]),
+        ("--tree", arguments.tree, &[Format::Mjcf]),
+        ("--between", !arguments.between.is_empty(), &[Format::Mjcf]),
     ];
     let own = |formats: &[Format]| formats.contains(&arguments.format);
     if let Some((flag, _, formats)) =
@@ -34,6 +37,7 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
         Format::C => c(arguments, &program),
         Format::St => st(arguments, &program),
         Format::Fmu => fmu(arguments, &program),
+        Format::Mjcf => mjcf::export(arguments, &program),
         Format::Rust => rust(arguments, &program),
     }
 }
@@ -43,7 +47,13 @@ fn c(arguments: &Export, program: &Program) -> Result<(), Failure> {
     let (only, prefix) = (only(arguments), arguments.prefix.as_deref());
     let printed = program.all(|declaration| linkage_compiler::c(declaration, &only, prefix))?;
     let folder = folder(arguments);
-    let files: Vec<File> = printed.into_iter().flatten().collect();
+    let mut files: Vec<File> = printed.into_iter().flatten().collect();
+    for sets in program.machines()?.into_iter().filter(|sets| sets.len() > 1) {
+        let tokens: Vec<_> = sets.iter().map(|set| set.tokens.clone()).collect();
+        let carried = linkage_compiler::c_transfers(&tokens, &only, prefix);
+        // The mistakes of the solvers were told with each.
+        files.extend(carried.unwrap_or_default());
+    }
     if !arguments.target.stale {
         leaves_others_alone(&folder, &files)?;
     }
@@ -110,11 +120,13 @@ fn leaves_others_alone(folder: &Path, files: &[File]) -> Result<(), Failure> {
 fn fmu(arguments: &Export, program: &Program) -> Result<(), Failure> {
     let printed =
         program.all(|declaration| linkage_compiler::fmu(declaration, arguments.kinematic))?;
+    let are_sets = !program.machines()?.is_empty();
     let [files] = <[Vec<File>; 1]>::try_from(printed).map_err(|several| {
         Failure::Unusable(format!(
-            "`{}` holds {} mechanisms, and an FMU is one: choose it by `--machine NAME`",
+            "`{}` holds {} mechanisms, and an FMU is one: choose it by `--machine NAME`{}",
             arguments.file.display(),
-            several.len()
+            several.len(),
+            if are_sets { ", or its inputs by `--inputs SET`" } else { "" }
         ))
     })?;
     let beside = || arguments.file.with_extension("fmu");

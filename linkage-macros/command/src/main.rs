@@ -10,6 +10,7 @@ mod export;
 mod fmu;
 mod import;
 mod messages;
+mod mjcf;
 mod output;
 mod page;
 mod parameters;

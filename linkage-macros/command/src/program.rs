@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use linkage_compiler::{Diagnostic, by_set, declarations, solver_name};
+use linkage_compiler::{Diagnostic, by_set, declarations, machine_and_set, solver_name};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 use crate::arguments::Chosen;
@@ -17,13 +17,17 @@ pub(crate) struct Program {
     pub path: PathBuf,
     text: String,
     machine: Option<String>,
+    inputs: Vec<String>,
     settings: Vec<Setting>,
 }
 
 /// The tokens between the braces of `mechanism! { … }`.
+#[derive(Clone)]
 pub(crate) struct Declaration {
     /// The word behind `struct`.
     pub name: Option<Ident>,
+    /// The machine and the set of inputs, of one that has several.
+    pub driven: Option<[Ident; 2]>,
     pub tokens: TokenStream,
 }
 
@@ -32,7 +36,8 @@ impl Program {
         let settings =
             chosen.set.iter().map(|text| Setting::read(text)).collect::<Result<_, _>>()?;
         let text = fs::read_to_string(path).map_err(Failure::of(path))?;
-        Ok(Self { path: path.to_path_buf(), text, machine: chosen.machine.clone(), settings })
+        let (machine, inputs) = (chosen.machine.clone(), chosen.inputs.clone());
+        Ok(Self { path: path.to_path_buf(), text, machine, inputs, settings })
     }
 
     /// The declarations, or the chosen one, with parameters as they are set. There is at least one.
@@ -48,14 +53,42 @@ impl Program {
         if let Some(machine) = &self.machine {
             let names: Vec<_> = found.iter().map(Declaration::name).collect();
             let there_are = names.join(", ");
-            found.retain(|declaration| declaration.name() == *machine);
+            found.retain(|declaration| {
+                let is_driven = declaration.driven.as_ref().is_some_and(|[of, _]| of == machine);
+                is_driven || declaration.name() == *machine
+            });
             if found.is_empty() {
                 let path = self.path.display();
                 let why = format!("`{path}` holds no mechanism `{machine}`; there are {there_are}");
                 return Err(Failure::Unusable(why));
             }
         }
+        self.keep_chosen_sets(&mut found)?;
         Ok(found)
+    }
+
+    /// Leaves the sets of inputs that are asked for; all where none is.
+    fn keep_chosen_sets(&self, found: &mut Vec<Declaration>) -> Result<(), Failure> {
+        if self.inputs.is_empty() {
+            return Ok(());
+        }
+        let sets = found.iter().filter_map(|declaration| declaration.driven.as_ref());
+        let mut sets: Vec<_> = sets.map(|[_, set]| set.to_string()).collect();
+        sets.dedup();
+        if let Some(unknown) = self.inputs.iter().find(|wanted| !sets.contains(wanted)) {
+            let path = self.path.display();
+            let there_are = match sets.is_empty() {
+                true => "its inputs have no names of sets".to_string(),
+                false => format!("there are {}", sets.join(", ")),
+            };
+            let why = format!("`{path}` has no set of inputs `{unknown}`; {there_are}");
+            return Err(Failure::Unusable(why));
+        }
+        found.retain(|declaration| {
+            let set = declaration.driven.as_ref().map(|[_, set]| set.to_string());
+            set.is_some_and(|set| self.inputs.contains(&set))
+        });
+        Ok(())
     }
 
     fn found(&self) -> Result<Vec<Declaration>, Failure> {
@@ -77,7 +110,10 @@ impl Program {
         }
         Ok(found
             .into_iter()
-            .map(|tokens| Declaration { name: solver_name(&tokens), tokens })
+            .map(|tokens| {
+                let (name, driven) = (solver_name(&tokens), machine_and_set(&tokens));
+                Declaration { name, driven, tokens }
+            })
             .collect())
     }
 
@@ -137,6 +173,23 @@ impl Program {
         }
         report.close()?;
         Ok(made)
+    }
+
+    /// The sets of inputs of each machine that has several, one list a machine.
+    pub(crate) fn machines(&self) -> Result<Vec<Vec<Declaration>>, Failure> {
+        let mut machines: Vec<Vec<Declaration>> = Vec::new();
+        for declaration in self.declarations()? {
+            let Some([machine, _]) = &declaration.driven else { continue };
+            let is_last = |sets: &&mut Vec<Declaration>| {
+                let own = sets.last().and_then(|last| last.driven.as_ref());
+                own.is_some_and(|[own, _]| own == machine)
+            };
+            match machines.last_mut().filter(is_last) {
+                Some(sets) => sets.push(declaration),
+                None => machines.push(vec![declaration]),
+            }
+        }
+        Ok(machines)
     }
 
     /// The tokens of a message in the file, or in the value of a parameter that is set. What is about a whole

@@ -79,6 +79,12 @@ pub fn solver_name(declaration: &TokenStream) -> Option<Ident> {
     }
 }
 
+/// The machine and the set of inputs of a declaration that is marked as that of one of several sets.
+pub fn machine_and_set(declaration: &TokenStream) -> Option<[Ident; 2]> {
+    let (declaration, set) = chosen(declaration.clone());
+    Some([solver_name(&declaration)?, set?])
+}
+
 /// `FiveBarHand` is the solver of the set `hand`, `FiveBarLeftHand` of `left_hand`.
 pub(crate) fn driven_by(machine: &Ident, set: &Ident) -> Ident {
     Ident::new(&format!("{machine}{}", in_capitals(&set.to_string())), machine.span())

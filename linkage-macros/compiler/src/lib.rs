@@ -87,14 +87,16 @@ mod report;
 mod syntax;
 mod written_places;
 
-pub use blocks::{by_set, declarations, solver_name};
+pub use blocks::{by_set, declarations, machine_and_set, solver_name};
 pub use codegen::drawn_plan::{PlanMember, PlanParts, PlanSpring, PlanStatement};
 pub use codegen::script::page::PageParts;
 pub use diagnostics::{Diagnostic, Level};
 pub use ir::posing::{Conditions, GuardedValue, SoughtRoot};
+pub use model::PlanarQuantity;
 pub use pipeline::{
-    DrawnPose, File, Options, Output, WrittenValue, c, compile, drawing, fmu, page, quantity,
-    report, st,
+    DrawnPose, File, Options, Output, PlanarBodies, PlanarBody, PlanarGuide, PlanarInput,
+    PlanarSpring, PlanarStop, WrittenValue, c, c_transfers, compile, drawing, fmu, page,
+    planar_bodies, quantity, report, st,
 };
 pub use report::{
     BoundReport, EntryReport, LimitReport, OperationsReport, RangeReport, Report, ReportOptions,

@@ -1,11 +1,17 @@
 //! START HERE: the phases in order, each with what is true after it.
 
 mod parsed;
+mod planar_bodies;
 mod printed;
 mod several_sets;
+mod transfers_in_c;
 mod written_values;
 
+pub use planar_bodies::{
+    PlanarBodies, PlanarBody, PlanarGuide, PlanarInput, PlanarSpring, PlanarStop, planar_bodies,
+};
 pub use printed::{File, c, fmu, st};
+pub use transfers_in_c::c_transfers;
 pub use written_values::{WrittenValue, quantity};
 
 use proc_macro2::{Span, TokenStream, TokenTree};

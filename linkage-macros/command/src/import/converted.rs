@@ -1,6 +1,7 @@
-//! A text of PMKS+, pyslvs or pylinkage as a declaration. The playground reads such texts as well.
+//! A text of PMKS+, pyslvs, pylinkage or MuJoCo as a declaration. The playground reads such texts as well.
 
 mod drawing;
+mod mjcf;
 mod names;
 mod parallelograms;
 mod pmks;
@@ -39,8 +40,9 @@ fn read(text: &str, drives: &[String]) -> Result<Drawing, Mistake> {
     }
     match () {
         () if is_expression => pyslvs::read(text, drives),
+        () if mjcf::is_model(text) => mjcf::read(text),
         () if text.starts_with('{') => pylinkage::read(text),
         () if text.contains('?') => pmks::read(text),
-        () => Err("this is no address with `?`, no expression `M[…]` and no JSON object".into()),
+        () => Err("this is no address with `?`, no expression `M[…]`, no JSON object and no model of MuJoCo".into()),
     }
 }

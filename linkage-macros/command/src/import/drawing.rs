@@ -14,6 +14,10 @@ pub(crate) struct Drawing {
     pub guides: Vec<Guide>,
     pub drives: Vec<Drive>,
     pub masses: Vec<Mass>,
+    /// Links with inertia alone, in kg·m².
+    pub rotors: Vec<(String, f64)>,
+    pub gravity: Option<[f64; 2]>,
+    pub springs: Vec<Spring>,
     pub forces: Vec<Force>,
     /// The parts of the machine that have no counterpart here, for a comment.
     pub left_out: Vec<String>,
@@ -90,8 +94,57 @@ impl Angle {
 
 /// A link that is driven: turned against the ground or another link, or slid along its guide.
 pub(crate) enum Drive {
-    Angle { link: String, against: Option<String> },
-    Slide { link: String },
+    Angle {
+        link: String,
+        against: Option<String>,
+    },
+    Slide {
+        link: String,
+    },
+    /// An input that is a factor times a quantity.
+    Input {
+        input: String,
+        of: Quantity,
+        factor: f64,
+    },
+    /// A quantity that is a factor times another, and a constant.
+    Coupled {
+        of: Quantity,
+        by: Quantity,
+        factor: f64,
+        constant: f64,
+    },
+}
+
+/// A quantity of the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Quantity {
+    /// The angle of a link, against another where there is one.
+    Angle(String, Option<String>),
+    Slide(String),
+    /// A coordinate of a pin: 0 is x.
+    Place(String, usize),
+    Distance([String; 2]),
+}
+
+/// A spring and damper: of an angle between two links, or of a distance.
+pub(crate) struct Spring {
+    pub of: Quantity,
+    pub stiffness: f64,
+    pub damping: f64,
+    /// The angle or the length at which it is slack.
+    pub slack: f64,
+}
+
+impl Quantity {
+    /// True if it is one of this link's own.
+    pub(crate) fn is_of(&self, link: &str) -> bool {
+        match self {
+            Self::Angle(own, against) => own == link || against.as_deref() == Some(link),
+            Self::Slide(own) => own == link,
+            Self::Place(..) | Self::Distance(_) => false,
+        }
+    }
 }
 
 impl Drawing {
@@ -104,6 +157,9 @@ impl Drawing {
             guides: Vec::new(),
             drives: Vec::new(),
             masses: Vec::new(),
+            rotors: Vec::new(),
+            gravity: None,
+            springs: Vec::new(),
             forces: Vec::new(),
             left_out: Vec::new(),
             remarks: Vec::new(),
@@ -140,6 +196,11 @@ impl Drawing {
         let links = self.drives.iter_mut().flat_map(|drive| match drive {
             Drive::Angle { link, against } => [Some(link), against.as_mut()],
             Drive::Slide { link } => [Some(link), None],
+            Drive::Input { of, .. } | Drive::Coupled { of, .. } => match of {
+                Quantity::Angle(link, against) => [Some(link), against.as_mut()],
+                Quantity::Slide(link) => [Some(link), None],
+                Quantity::Place(..) | Quantity::Distance(_) => [None, None],
+            },
         });
         let links =
             links.flatten().chain(self.guides.iter_mut().filter_map(|guide| guide.on.as_mut()));

@@ -1,4 +1,4 @@
-//! The verb `import`: a machine of PMKS+, pyslvs or pylinkage as a declaration, its pins, its links and what drives it.
+//! The verb `import`: a machine of PMKS+, pyslvs, pylinkage or MuJoCo as a declaration, its pins, its links and what drives it.
 //!
 //! ```text
 //! linkage import 'https://app.pmksplus.com/?2P.Fe.K,0.1011.MA,A,0,0,0…'

@@ -1,7 +1,9 @@
 //! A drawing as the text of a declaration.
 
 use super::Mistake;
-use super::drawing::{Angle, Drawing, Drive, Force, Guide, Line, Link, Mass, Pin};
+use super::drawing::{
+    Angle, Drawing, Drive, Force, Guide, Line, Link, Mass, Pin, Quantity, Spring,
+};
 use super::names::{self, Kind, Names};
 
 /// The declaration, a statement a line.
@@ -31,13 +33,7 @@ impl Printer<'_> {
         // Pins and links keep their names; guides and inputs take what is free.
         drawing.pins.iter().for_each(|pin| _ = self.names.of(Kind::Pin, &pin.id));
         drawing.links.iter().for_each(|link| _ = self.names.of(Kind::Link, &link.id));
-        let mut drives = Vec::new();
-        let mut inputs = Vec::new();
-        for (index, drive) in drawing.drives.iter().enumerate() {
-            let (input, kind) = self.input(index, drive);
-            inputs.push(format!("input {input}: {kind};"));
-            drives.push(self.drive(drive, &input));
-        }
+        let [inputs, drives] = self.driven();
         let [ground, moving] = [true, false].map(|is_ground| {
             let pins = drawing.pins.iter().filter(|pin| pin.is_ground == is_ground);
             pins.collect::<Vec<_>>()
@@ -57,8 +53,16 @@ impl Printer<'_> {
             lines.push(self.link(link)?);
         }
         lines.extend(drives);
+        lines.extend(drawing.gravity.map(|[x, y]| format!("gravity ({x:?}, {y:?});")));
         for mass in &drawing.masses {
             lines.push(self.mass(mass)?);
+        }
+        for (link, inertia) in &drawing.rotors {
+            let link = self.names.of(Kind::Link, link);
+            lines.push(format!("inertia {inertia}(kg*m^2) on {link};"));
+        }
+        for spring in &drawing.springs {
+            lines.push(self.spring(spring));
         }
         for force in &drawing.forces {
             lines.extend(self.force(force)?);
@@ -66,10 +70,40 @@ impl Printer<'_> {
         Ok(lines)
     }
 
+    /// The inputs, and what they and others drive.
+    fn driven(&mut self) -> [Vec<String>; 2] {
+        let drawing = self.drawing;
+        let mut drives = Vec::new();
+        let mut inputs = Vec::new();
+        for (index, drive) in drawing.drives.iter().enumerate() {
+            match drive {
+                Drive::Input { input, of, factor } => {
+                    let input = self.names.of(Kind::Input, input);
+                    inputs.push(format!("input {input} = {};", self.times(*factor, of)));
+                }
+                Drive::Coupled { of, by, factor, constant } => {
+                    let by = self.times(*factor, by);
+                    let unit = if matches!(of, Quantity::Angle(..)) { "rad" } else { "m" };
+                    let constant = match constant {
+                        0.0 => String::new(),
+                        constant => format!(" + {constant}{unit}"),
+                    };
+                    drives.push(format!("drive {} = {by}{constant};", self.quantity(of)));
+                }
+                Drive::Angle { .. } | Drive::Slide { .. } => {
+                    let (input, kind) = self.input(index, drive);
+                    inputs.push(format!("input {input}: {kind};"));
+                    drives.push(self.drive(drive, &input));
+                }
+            }
+        }
+        [inputs, drives]
+    }
+
     fn input(&mut self, index: usize, drive: &Drive) -> (String, &'static str) {
         let (wanted, kind) = match drive {
             Drive::Angle { .. } => ("theta", "angle"),
-            Drive::Slide { .. } => ("s", "length"),
+            Drive::Slide { .. } | Drive::Input { .. } | Drive::Coupled { .. } => ("s", "length"),
         };
         let number = if index == 0 { String::new() } else { format!("_{}", index + 1) };
         (self.names.of(Kind::Input, &format!("{wanted}{number}")), kind)
@@ -87,7 +121,61 @@ impl Printer<'_> {
             Drive::Slide { link } => {
                 format!("drive {}.slide = {input};", self.names.of(Kind::Link, link))
             }
+            Drive::Input { .. } | Drive::Coupled { .. } => String::new(),
         }
+    }
+
+    fn quantity(&mut self, of: &Quantity) -> String {
+        match of {
+            Quantity::Angle(link, None) => format!("{}.angle", self.names.of(Kind::Link, link)),
+            Quantity::Angle(link, Some(other)) => {
+                let [link, other] = [link, other].map(|link| self.names.of(Kind::Link, link));
+                format!("{link}.angle - {other}.angle")
+            }
+            Quantity::Slide(link) => format!("{}.slide", self.names.of(Kind::Link, link)),
+            Quantity::Place(pin, axis) => {
+                let axis = if *axis == 0 { "x" } else { "y" };
+                format!("{}.{axis}", self.names.of(Kind::Pin, pin))
+            }
+            Quantity::Distance(pins) => {
+                let [p, q] = pins.each_ref().map(|pin| self.names.of(Kind::Pin, pin));
+                format!("distance({p}, {q})")
+            }
+        }
+    }
+
+    fn times(&mut self, factor: f64, of: &Quantity) -> String {
+        match (factor, of) {
+            (1.0, _) => self.quantity(of),
+            // The difference the other way round.
+            (-1.0, Quantity::Angle(link, Some(other))) => {
+                self.quantity(&Quantity::Angle(other.clone(), Some(link.clone())))
+            }
+            (-1.0, _) => format!("-{}", self.quantity(of)),
+            (_, Quantity::Angle(_, Some(_))) => format!("{factor} * ({})", self.quantity(of)),
+            _ => format!("{factor} * {}", self.quantity(of)),
+        }
+    }
+
+    fn spring(&mut self, spring: &Spring) -> String {
+        let Spring { of, stiffness, damping, slack } = spring;
+        let (ends, units, free) = match of {
+            Quantity::Distance(pins) => {
+                let [p, q] = pins.each_ref().map(|pin| self.names.of(Kind::Pin, pin));
+                (format!("{p} and {q}"), ["N/m", "N*s/m"], format!("free_length: {slack}m"))
+            }
+            Quantity::Angle(link, against) => {
+                let own = self.names.of(Kind::Link, link);
+                let other = against.as_ref().map(|other| self.names.of(Kind::Link, other));
+                let ends = format!("{} and {own}", other.as_deref().unwrap_or("ground"));
+                (ends, ["N*m/rad", "N*m*s/rad"], format!("free_angle: {slack}rad"))
+            }
+            Quantity::Slide(_) | Quantity::Place(..) => return String::new(),
+        };
+        let [stiff, slow] = units;
+        format!(
+            "spring between {ends} {{ stiffness: {stiffness}({stiff}), {free}, damping: {damping}({slow}) }}"
+        )
     }
 
     fn pins(&mut self, word: &str, pins: &[&Pin]) -> Result<Option<String>, Mistake> {

@@ -45,6 +45,8 @@ fn is_bar(drawing: &Drawing, link: &Link) -> bool {
             *driven == link.id || against.as_ref() == Some(&link.id)
         }
         Drive::Slide { link: driven } => *driven == link.id,
+        Drive::Input { of, .. } => of.is_of(&link.id),
+        Drive::Coupled { of, by, .. } => of.is_of(&link.id) || by.is_of(&link.id),
     });
     let carries = drawing.guides.iter().any(|guide| guide.on.as_ref() == Some(&link.id));
     let is_bare = link.pins.len() == 2 && link.on.is_empty() && !carries && !is_driven;

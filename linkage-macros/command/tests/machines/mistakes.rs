@@ -19,7 +19,8 @@ fn address(sections: &str) -> String {
 
 #[test]
 fn texts_of_no_format() {
-    let none = "this is no address with `?`, no expression `M[…]` and no JSON object";
+    let none =
+        "this is no address with `?`, no expression `M[…]`, no JSON object and no model of MuJoCo";
     check("a four-bar", &[], none);
     check("", &[], none);
     let told = "`--drive` belongs to pyslvs expressions; other formats say what drives";

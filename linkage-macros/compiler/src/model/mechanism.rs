@@ -11,6 +11,7 @@ use crate::exact::Exact;
 use crate::model::acting::Dynamics;
 pub(crate) use crate::model::as_drawn::AsDrawn;
 pub(crate) use crate::model::dimension::Dimension;
+use crate::model::drawn_bodies::Outline;
 pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Operator, Scalar};
 pub(crate) use crate::model::findings::{Known, Rotatability};
 pub(crate) use crate::model::ids::{
@@ -52,6 +53,8 @@ pub(crate) struct Mechanism {
     pub references: References,
     /// The inputs of the pose in which it is drawn, where it is drawn and they are determined.
     pub drawn: Option<Vec<f64>>,
+    /// The bodies of the drawing, where it is one.
+    pub outline: Option<Outline>,
     /// Slides, drives and directions that groups have otherwise than the drawing.
     pub as_drawn: AsDrawn,
     /// True if the declaration has mistakes, so that only part of it was understood.
@@ -103,6 +106,7 @@ impl Mechanism {
             dynamics: Dynamics::default(),
             references: References::default(),
             drawn: None,
+            outline: None,
             as_drawn: AsDrawn::default(),
             is_stub: false,
             numerics: Numerics::Plain,

@@ -34,6 +34,7 @@ mod coincidence;
 mod declared;
 mod dimension;
 mod drawn;
+pub(crate) mod drawn_bodies;
 mod drawn_joints;
 mod drawn_links;
 mod drawn_relations;
@@ -111,7 +112,9 @@ use crate::model::statements::unknowns;
 use crate::syntax;
 use crate::syntax::tree::Declaration;
 
-pub(crate) use driven::{DrivenBySet, drivings};
+pub(crate) use drawn::value_at_defaults;
+pub use driven::PlanarQuantity;
+pub(crate) use driven::{DrivenBySet, DrivenQuantity, driven_quantities, drivings};
 pub(crate) use statements::drive_by::load_does_no_work;
 
 /// The stub of a declaration in which something was reported.

@@ -139,7 +139,11 @@ fn with_lowered<T>(
 }
 
 /// The prefix of this text, where there is one.
-fn prefix_of(mechanism: &Mechanism, text: Option<&str>, diagnostics: &mut Diagnostics) -> Prefix {
+pub(super) fn prefix_of(
+    mechanism: &Mechanism,
+    text: Option<&str>,
+    diagnostics: &mut Diagnostics,
+) -> Prefix {
     let Some(text) = text else { return Prefix::default() };
     Prefix::new(text).unwrap_or_else(|| {
         diagnostics.error_because(

@@ -1,10 +1,13 @@
 //! The names of fields and arguments inside the functions.
 
+use proc_macro2::Ident;
+
 use super::In;
 use super::c_identifiers::distinct;
 use super::header;
 use crate::codegen::arguments::Form;
 use crate::codegen::identifiers::text;
+use crate::interface::Interface;
 use crate::interface::components::Component;
 use crate::interface::entries::ArgumentKind;
 use crate::interface::records::{Record, Shape};
@@ -16,23 +19,24 @@ use crate::model::mechanism::Mechanism;
 pub(super) const PARAMETERS: &str = "self";
 
 /// The name in C of a field, among all of its record.
-fn field_in_c(
-    mechanism: &Mechanism,
-    all: impl Iterator<Item = String> + Clone,
-    field: &str,
-) -> String {
+fn field_in_c(solver: &Ident, all: impl Iterator<Item = String> + Clone, field: &str) -> String {
     let at = all.clone().position(|name| name == field).expect("a record has its fields");
-    distinct(&mechanism.name, all).swap_remove(at)
+    distinct(solver, all).swap_remove(at)
 }
 
 /// The name in C of a record's field.
 fn field_of(mechanism: &Mechanism, record: &Record, field: &str) -> String {
-    field_in_c(mechanism, record.fields.iter().map(|field| text(&field.name)), field)
+    field_in_c(&mechanism.name, record.fields.iter().map(|field| text(&field.name)), field)
 }
 
 /// The name in C of a parameter.
 pub(super) fn param(mechanism: &Mechanism, name: &str) -> String {
-    field_in_c(mechanism, mechanism.params.iter().map(|param| text(&param.name)), name)
+    param_of(&mechanism.name, mechanism, name)
+}
+
+/// The same in the record of this name.
+pub(super) fn param_of(record: &Ident, mechanism: &Mechanism, name: &str) -> String {
+    field_in_c(record, mechanism.params.iter().map(|param| text(&param.name)), name)
 }
 
 /// The name of an argument that holds this.
@@ -100,8 +104,7 @@ impl In<'_> {
 
     /// The places of a result's numbers, in the order of the sinks.
     pub(super) fn components(self, shape: Shape, name: &str) -> Vec<String> {
-        let ways = self.interface().components(shape);
-        ways.iter().map(|way| self.component(shape, way, name.to_string())).collect()
+        components(self.mechanism, self.interface(), shape, name)
     }
 
     /// The same of a result that a pointer leads to.
@@ -114,23 +117,6 @@ impl In<'_> {
                     None => format!("*{pointer}"),
                 };
                 self.components(shape, "*").into_iter().map(behind).collect()
-            }
-        }
-    }
-
-    fn component(self, shape: Shape, way: &[Component], so_far: String) -> String {
-        let Some((step, rest)) = way.split_first() else { return so_far };
-        match (step, shape) {
-            (Component::Index(at), shape) => self.component(shape, rest, format!("{so_far}[{at}]")),
-            (Component::Field(name), Shape::Record(id)) => {
-                let record = self.interface().record(id);
-                let field = record.fields.iter().find(|field| field.name == name);
-                let shape = field.expect("a record has its fields").shape;
-                let name = field_of(self.mechanism, record, &plain(name));
-                self.component(shape, rest, format!("{so_far}.{name}"))
-            }
-            (Component::Field(name), shape) => {
-                self.component(shape, rest, format!("{so_far}.{name}"))
             }
         }
     }
@@ -154,6 +140,38 @@ impl In<'_> {
                 format!("{}[{index}]", name_of(given[at]))
             }
         })
+    }
+}
+
+/// The places of the numbers of a result of a mechanism, in the order of the sinks.
+pub(super) fn components(
+    mechanism: &Mechanism,
+    interface: &Interface,
+    shape: Shape,
+    name: &str,
+) -> Vec<String> {
+    let ways = interface.components(shape);
+    ways.iter().map(|way| component((mechanism, interface), shape, way, name.to_string())).collect()
+}
+
+fn component(
+    (mechanism, interface): (&Mechanism, &Interface),
+    shape: Shape,
+    way: &[Component],
+    so_far: String,
+) -> String {
+    let Some((step, rest)) = way.split_first() else { return so_far };
+    let of = (mechanism, interface);
+    match (step, shape) {
+        (Component::Index(at), shape) => component(of, shape, rest, format!("{so_far}[{at}]")),
+        (Component::Field(name), Shape::Record(id)) => {
+            let record = interface.record(id);
+            let field = record.fields.iter().find(|field| field.name == name);
+            let shape = field.expect("a record has its fields").shape;
+            let name = field_of(mechanism, record, &plain(name));
+            component(of, shape, rest, format!("{so_far}.{name}"))
+        }
+        (Component::Field(name), shape) => component(of, shape, rest, format!("{so_far}.{name}")),
     }
 }
 

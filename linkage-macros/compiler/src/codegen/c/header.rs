@@ -97,7 +97,7 @@ fn about(mechanism: &Mechanism, solver: &str) -> String {
 
 /// A comment of one line or several. What would end it or begin another is taken apart, and our
 /// own signs are written in ASCII.
-fn comment(lines: &[String], indent: &str) -> String {
+pub(super) fn comment(lines: &[String], indent: &str) -> String {
     let mut text = lines.join(&format!("\n{indent} * ")).replace(" \n", "\n");
     for (sign, ascii) in
         [("*/", "* /"), ("/*", "/ *"), ("²", "^2"), ("³", "^3"), ("·", "*"), ("∂", "d"), ("`", "")]
@@ -108,14 +108,14 @@ fn comment(lines: &[String], indent: &str) -> String {
 }
 
 /// A record: its comment, its name, and its fields with a type, a comment and, of a list, its dimensions.
-struct CStruct {
+pub(super) struct CStruct {
     about: String,
     name: String,
     fields: Vec<(String, String, String, String)>,
 }
 
 impl CStruct {
-    fn text(&self, solver: &Ident) -> String {
+    pub(super) fn text(&self, solver: &Ident) -> String {
         let names = distinct(solver, self.fields.iter().map(|(_, name, ..)| name.clone()));
         let field = |((ty, _, about, list), name): (&(String, String, String, String), String)| {
             let about = about.trim_end_matches('.').to_string();
@@ -129,15 +129,17 @@ impl CStruct {
 
 /// The types of one width.
 fn types(mechanism: &Mechanism, interface: &Interface, width: Width) -> String {
-    let parameters = (!mechanism.params.is_empty()).then(|| parameters(mechanism, width));
+    let parameters =
+        (!mechanism.params.is_empty()).then(|| parameters(&mechanism.name, mechanism, width));
     let records = interface.records.iter();
     let returned = records.filter(|record| interface.is_used(record));
     let records = returned.map(|of| record(mechanism, interface, width, of));
     parameters.into_iter().chain(records).map(|record| record.text(&mechanism.name)).collect()
 }
 
-fn parameters(mechanism: &Mechanism, width: Width) -> CStruct {
-    let solver = plain(&mechanism.name);
+/// The record of a mechanism's parameters, under this name.
+pub(super) fn parameters(name: &Ident, mechanism: &Mechanism, width: Width) -> CStruct {
+    let solver = plain(name);
     let field = |param: &Param| {
         let name = plain(&param.name);
         let (ty, about) = match &param.kind {

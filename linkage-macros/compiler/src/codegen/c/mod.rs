@@ -16,6 +16,7 @@ mod reserved;
 mod roots;
 pub(crate) mod run_time;
 pub(crate) mod selection;
+pub(crate) mod transfers;
 mod two_paths;
 
 use self::c_identifiers::{Width, file_stem, snake_case};

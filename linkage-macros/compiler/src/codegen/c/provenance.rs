@@ -122,8 +122,9 @@ impl Provenance<'_> {
              extern const char {stem}_origin[];\n\n\
              /* The names of the inputs and of the outputs' rows, in their order; the last text is null. */\n\
              extern const char *const {stem}_input_labels[{capitals}_INPUTS + 1];\n\
-             extern const char *const {stem}_output_labels[{capitals}_OUTPUTS + 1];\n\n{words}",
+             extern const char *const {stem}_output_labels[{capitals}_OUTPUTS + 1];\n{}\n{words}",
             self.declaration,
+            self.drawn_in_header()
         )
     }
 
@@ -150,6 +151,28 @@ impl Provenance<'_> {
             quoted(&format!("linkage {VERSION} {solver} {:016x}", self.declaration)),
             list(&inputs),
             list(&outputs),
+        ) + &self.drawn_in_source()
+    }
+
+    /// The inputs as they are drawn, where the mechanism is a drawing.
+    fn drawn_in_header(&self) -> String {
+        if self.mechanism.drawn.is_none() {
+            return String::new();
+        }
+        let stem = self.stem();
+        format!(
+            "\n/* The inputs as they are drawn, in SI. */\nextern const double {stem}_drawn[{}_INPUTS];\n",
+            stem.to_uppercase()
+        )
+    }
+
+    fn drawn_in_source(&self) -> String {
+        let Some(drawn) = &self.mechanism.drawn else { return String::new() };
+        let (stem, drawn) = (self.stem(), drawn.iter().map(|value| format!("{value:?}")));
+        format!(
+            "const double {stem}_drawn[{}_INPUTS] = {{ {} }};\n",
+            stem.to_uppercase(),
+            drawn.collect::<Vec<_>>().join(", ")
         )
     }
 }

@@ -74,7 +74,7 @@ pub(super) fn is_called(name: &str, stem: &str) -> bool {
     let is_function = |action: &str| {
         let begins = ["try_", "why_"].iter().any(|begin| action.starts_with(begin));
         let width = action.strip_prefix(field_of_motion(Order::Velocity));
-        let is_told = ["origin", "input_labels", "output_labels"].contains(&action);
+        let is_told = ["origin", "input_labels", "output_labels", "drawn"].contains(&action);
         begins || is_told || width.is_some_and(|width| ["", "_f32"].contains(&width))
     };
     name.starts_with("linkage_") || action.is_some_and(is_function)

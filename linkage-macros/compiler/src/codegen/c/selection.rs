@@ -48,6 +48,11 @@ impl Selection {
         Self { points, widths }
     }
 
+    /// The interface of what is printed.
+    pub(crate) fn interface(&self, mechanism: &Mechanism) -> Interface {
+        Interface::of(mechanism).limited_to(self.points.iter().copied())
+    }
+
     /// The program without the answers of other entry points.
     pub(crate) fn apply(&self, program: Program) -> Program {
         let is_selected = |point: EntryPoint| self.points.contains(&point);

@@ -79,6 +79,7 @@ const NAMES: &[&str] = &[
     "LinkageWhy",
     "LINKAGE_OK",
     "LINKAGE_JAMS",
+    "LINKAGE_OTHER_ASSEMBLY",
     "LINKAGE_COLD",
     "Linkage",
     "LinkageRun",

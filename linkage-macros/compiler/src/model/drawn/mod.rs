@@ -16,9 +16,11 @@
 mod drive_equations;
 mod group_frames;
 mod outline;
+mod outlined;
 mod reading;
 pub(super) mod writing;
 
+use crate::model::drawn_bodies::Outline;
 use crate::model::drawn_links::{DrawnLinks, RodEnd};
 use proc_macro2::Ident;
 
@@ -34,6 +36,7 @@ use super::mechanism::{Mechanism, References};
 use outline::bodies::Bodies;
 use reading::reader::Reader;
 use reading::values::Measured;
+pub(crate) use reading::values::value as value_at_defaults;
 
 /// The declaration of the groups of a drawing.
 struct Translation {
@@ -44,6 +47,7 @@ struct Translation {
     holds_links: bool,
     /// The inputs of the drawn pose, where the drives determine them.
     inputs: Option<Vec<f64>>,
+    outline: Outline,
 }
 
 /// True if anything of the declaration is drawn.
@@ -66,6 +70,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.links)?;
     mechanism.references = References::of(tree);
     mechanism.drawn = cut.inputs;
+    mechanism.outline = Some(cut.outline);
     mechanism.as_drawn.is_found = true;
     mechanism.as_drawn.searches = cut.searches;
     if cut.holds_links {
@@ -129,7 +134,8 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         is_damaged: tree.is_damaged,
         unwritten: tree.unwritten.clone(),
     };
-    Some(Translation { tree: declaration, searches, links, holds_links, inputs })
+    let outline = bodies.outline();
+    Some(Translation { tree: declaration, searches, links, holds_links, inputs, outline })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.

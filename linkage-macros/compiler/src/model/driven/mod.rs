@@ -9,6 +9,7 @@
 mod coordinate;
 mod driving_statements;
 mod input_sets;
+mod quantities;
 
 use std::borrow::Cow;
 
@@ -21,6 +22,8 @@ use crate::syntax::tree::{Declaration, InputStatement, Statement, StatementKind}
 use coordinate::Coordinate;
 use driving_statements::DrivingStatements;
 pub(crate) use input_sets::{DrivenBySet, drivings};
+pub use quantities::PlanarQuantity;
+pub(crate) use quantities::{DrivenQuantity, driven_quantities};
 
 const FORM: &str = "a factor stands in front of the quantity and a constant behind it: `2 * tip.y`, \
                     `shank.angle + 90deg`";

@@ -96,6 +96,15 @@ fn mistakes_of_sets() {
             "input hand { x = tool.x, y = tool.y } output tool, a.drive, x.drive; mass 1kg on tool;",
             "",
         ),
+        (
+            "input hand { x = tool.x, y = tool.y } point P on BC at (10mm * a, 0);",
+            "P: `P` has no place in the drawing / its place on the link depends on an input, or on the point itself; it is so where `motors` drives\na: no input, parameter or `let` named `a` / declared so far: `x`, `y`; it is so where `hand` drives",
+        ),
+        ("input hand { x = tool.x, y = tool.y } crank AG(A) -> G { length: 10mm, angle: a }", ""),
+        (
+            "input hand { x = tool.x, y = tool.y } input theta: angle; crank AG(A) -> G { length: 10mm, angle: theta }",
+            "",
+        ),
     ];
     let mut other = String::new();
     for (statements, expected) in rows {

@@ -248,7 +248,7 @@ impl<'d> Measured<'d> {
 }
 
 /// The value of a number at the defaults of the parameters.
-fn value(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<f64> {
+pub(crate) fn value(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<f64> {
     let value = folded(expr, mechanism, inputs)?.constant()?.to_f64();
     value.is_finite().then_some(value)
 }

@@ -1,0 +1,5 @@
+
+static double STEM_larger(double a, double b)
+{
+    return a > b ? a : b;
+}
