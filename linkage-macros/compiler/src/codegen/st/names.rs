@@ -17,9 +17,11 @@ static RESERVED: LazyLock<HashSet<&str>> = LazyLock::new(|| {
 /// run-time's.
 fn is_reserved(name: &str) -> bool {
     let capitals = name.to_ascii_uppercase();
-    let is_a_conversion = capitals.split_once("_TO_").is_some_and(|(from, to)| {
-        RESERVED.contains(from) && RESERVED.contains(to) || from.is_empty()
-    });
+    let is_a_conversion = match (capitals.strip_prefix("TO_"), capitals.split_once("_TO_")) {
+        (Some(to), _) => RESERVED.contains(to),
+        (None, Some((from, to))) => RESERVED.contains(from) && RESERVED.contains(to),
+        (None, None) => false,
+    };
     is_a_conversion || RESERVED.contains(&capitals[..]) || capitals.starts_with("LINKAGE")
 }
 

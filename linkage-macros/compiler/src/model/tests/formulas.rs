@@ -82,8 +82,8 @@ fn units_of_efforts_are_checked() {
         ),
         (
             "output w = rate(t.drive);",
-            "t.drive: the rate of an effort is not known / it would follow from the rates of second \
-             rates, which no call is given",
+            "t.drive: the rate of an effort is not known / it would follow from the rates of \
+             accelerations, which no call is given",
         ),
         (
             "output w = AB.angle + rate(t) * 1s;",
