@@ -2,7 +2,7 @@
  * without rounding, and reasons. linkage_run.h says whose text this is. */
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0x3f799458u
+#if LINKAGE_RUN_TIME != 0xfce33addu
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 
