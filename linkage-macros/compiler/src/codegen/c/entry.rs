@@ -140,9 +140,9 @@ impl In<'_> {
         let count = found.len();
         let mut text = format!(
             "if (linkage_lacks_a_pose(&why)) {{\nconst LinkageWhy refusal = why;\n{};\nint is_open;\n\
-             double told[{count}], others[{count}];\n\
-             why = linkage_why_behind({is_single}, (double)NAN);\n{};\nis_open = why.is_open;\n\
-             why = linkage_why_behind({is_single}, 1.0);\n{};\n",
+             LinkageWide told[{count}], others[{count}];\n\
+             why = linkage_why_behind({is_single}, (LinkageWide)NAN);\n{};\nis_open = why.is_open;\n\
+             why = linkage_why_behind({is_single}, 1);\n{};\n",
             self.result(entry.result, "possible"),
             call("found"),
             call("possible"),

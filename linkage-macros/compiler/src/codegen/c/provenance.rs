@@ -41,7 +41,7 @@ impl Prefix {
 
     /// A source with the prefix in front of the run-time's functions and files. Fields keep their names, and so does
     /// what stands in a text.
-    pub(super) fn put_into(&self, source: &str) -> String {
+    pub(in crate::codegen) fn put_into(&self, source: &str) -> String {
         if self.0.is_empty() {
             return source.to_string();
         }

@@ -52,15 +52,24 @@ fn plain_header() -> String {
         (Width::Double, include_str!("run/sin_cos_f64.h")),
         (Width::Single, include_str!("run/sin_cos_f32.h")),
     ] {
-        header += &of_width(include_str!("run/numbers.h"), width);
-        header += near;
-        header += &of_width(include_str!("run/directions.h"), width);
+        let numbers = of_width(include_str!("run/numbers.h"), width);
+        let directions = of_width(include_str!("run/directions.h"), width);
+        header += &where_it_is(width, &[&numbers, near, &directions].concat());
     }
+    header += include_str!("run/pairs.h");
     let (foot, end) =
         include_str!("run/foot.h").split_once(ROOTS).expect("the roots of both widths stand there");
-    let both = |text| Width::ALL.map(|width| of_width(text, width)).concat();
+    let both = |text| Width::ALL.map(|width| where_it_is(width, &of_width(text, width))).concat();
     let [roots, friction] = [include_str!("run/root.h"), include_str!("run/friction.h")].map(both);
     header + foot + &roots + &friction + end
+}
+
+/// What is in double precision, for targets that have it; what is in single precision decides for both.
+fn where_it_is(width: Width, text: &str) -> String {
+    match width {
+        Width::Double => format!("\n#ifndef {0}\n{text}\n#endif /* {0} */\n", width.excluded()),
+        Width::Single => text.to_string(),
+    }
 }
 
 /// The functions of the run-time that callers call.
@@ -93,7 +102,7 @@ fn plain_root() -> String {
 }
 
 /// The text of `linkage_friction.c`, which is printed where joints rub. What is found without a branch is found in
-/// either width, and anything else in double precision.
+/// either width, and anything else in double precision, or in pairs of floats where there is none.
 pub(crate) fn friction_source() -> String {
     conditional(&plain_friction())
 }
@@ -102,10 +111,10 @@ fn plain_friction() -> String {
     let system = |width| of_width(include_str!("run/friction/system.c"), width);
     let stepped = |width| of_width(include_str!("run/friction/stepped.c"), width);
     let mut source = include_str!("run/friction/head.c").to_string();
-    source += &system(Width::Double);
-    source += include_str!("run/friction/solved.c");
-    for (width, before) in [(Width::Double, String::new()), (Width::Single, system(Width::Single))]
-    {
+    let exact = system(Width::Double) + include_str!("run/friction/solved.c");
+    source += &where_it_is(Width::Double, &exact);
+    let in_pairs = system(Width::Single) + include_str!("run/friction/pairs.c");
+    for (width, before) in [(Width::Double, String::new()), (Width::Single, in_pairs)] {
         let without = width.excluded();
         source += &format!("\n#ifndef {without}\n{before}{}", stepped(width));
         source += &format!("\n#endif /* {without} */\n");
@@ -120,8 +129,11 @@ pub(crate) fn source() -> String {
 
 fn plain_source() -> &'static str {
     concat!(
+        include_str!("run/wide.c"),
         include_str!("run/conditions.c"),
         include_str!("run/exact.c"),
+        include_str!("run/expansions.c"),
+        include_str!("run/single.c"),
         include_str!("run/reach.c"),
         include_str!("run/words.c"),
         include_str!("run/far.c"),

@@ -31,14 +31,14 @@ const COMPILERS: [[Told; 2]; 4] = [
     [("arm-none-eabi-gcc", CORTEX_M4), ("cc", &["-DLINKAGE_NO_DOUBLE"])],
 ];
 
-const CORTEX_M4: &[&str] =
+pub(super) const CORTEX_M4: &[&str] =
     &["-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard", "-DLINKAGE_NO_DOUBLE"];
 
 /// What is said of a number that is too short.
 const SHORT: &str = "double has fewer than 64 bits here";
 
 /// The files of every so many declarations in a folder each, and the names of the sources.
-fn print_every(nth: usize, root: &Path) -> Vec<String> {
+pub(super) fn print_every(nth: usize, root: &Path) -> Vec<String> {
     let mut sources = Vec::new();
     let mut refused = BTreeMap::new();
     for (nth, declaration) in declarations::all().enumerate().step_by(nth) {

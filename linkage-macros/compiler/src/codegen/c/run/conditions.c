@@ -1,26 +1,34 @@
-/* linkage_run.c: what solvers that linkage has printed do where an answer is near a limit or none: decisions
- * without rounding, and reasons. linkage_run.h says whose text this is. */
-#include "linkage_run.h"
-
-/* The error of a value in units of its spread's last place: larger values are positive for certain. */
-#define ROUNDINGS 16.0
-
-/* The distance by which a pose may miss assembly, in last places of the longest length. */
-#define ULPS 4.0
-
-/* Above this a sum of two words has the sign of the exact one and, but for half a unit, its last place. */
-#define TWO_WORDS (1.0 / 1099511627776.0)
 
 /* Answers. */
 
 LinkageWhy linkage_why(int is_single)
 {
-    LinkageWhy why = { LINKAGE_OK, 0, 0.0, NULL, NULL, NULL, 0, 0.0, 0 };
+    LinkageWhy why;
+    why.status = LINKAGE_OK;
     why.is_single = is_single;
+    why.by = 0;
+    why.group = NULL;
+    why.name = NULL;
+    why.otherwise = NULL;
+    why.goes_on = 0;
+    why.stand_in = 0;
+    why.is_open = 0;
     return why;
 }
 
-LinkageWhy linkage_why_behind(int is_single, double stand_in)
+/* The letters of a name; no declaration has a longer one. */
+#define LONGEST_NAME 4096
+
+static size_t length_of(const char *text)
+{
+    size_t length = 0;
+    while (text != NULL && length < LONGEST_NAME && text[length] != '\0') { /* at most LONGEST_NAME times */
+        length++;
+    }
+    return length;
+}
+
+LinkageWhy linkage_why_behind(int is_single, LinkageWide stand_in)
 {
     LinkageWhy why = linkage_why(is_single);
     why.goes_on = 1;
@@ -28,15 +36,35 @@ LinkageWhy linkage_why_behind(int is_single, double stand_in)
     return why;
 }
 
+/* What is missing, as the caller is told. No double is computed with where there is none: its bits are those of the
+ * float, behind an exponent of another bias. */
+static double reported(LinkageWide by)
+{
+#if defined(LINKAGE_NO_DOUBLE) && DBL_MANT_DIG == 53
+    const int is_normal = by >= FLT_MIN;
+    const float normal = is_normal ? by : by * 16777216.0f;
+    const uint64_t bias = is_normal ? 1023u - 127u : 1023u - 127u - 24u;
+    uint32_t bits;
+    uint64_t wide;
+    double same;
+    memcpy(&bits, &normal, sizeof bits);
+    wide = bits == 0u ? 0u : ((uint64_t)bits << 29) + (bias << 52);
+    memcpy(&same, &wide, sizeof same);
+    return same;
+#else
+    return (double)by;
+#endif
+}
+
 LinkageStatus linkage_refused(const LinkageWhy *why, LinkageError *error)
 {
     if (error != NULL) {
         error->status = why->status;
-        error->by = why->by;
+        error->by = reported(why->by);
         error->group = why->group;
-        error->group_length = (why->group == NULL) ? 0u : strlen(why->group);
+        error->group_length = length_of(why->group);
         error->name = why->name;
-        error->name_length = (why->name == NULL) ? 0u : strlen(why->name);
+        error->name_length = length_of(why->name);
     }
     return why->status;
 }
@@ -50,21 +78,21 @@ LinkageStatus linkage_because(LinkageError *error, LinkageStatus status, const c
 }
 
 /* Why a cosine and a sine are those of no angle. */
-LinkageStatus linkage_not_on_circle(LinkageError *error, double cosine, double sine, const char *name)
+LinkageStatus linkage_not_on_circle(LinkageError *error, LinkageWide cosine, LinkageWide sine, const char *name)
 {
-    if (!linkage_is_finite(cosine)) {
+    if (!is_finite(cosine)) {
         return linkage_because(error, LINKAGE_NOT_FINITE, "cos");
     }
-    if (!linkage_is_finite(sine)) {
+    if (!is_finite(sine)) {
         return linkage_because(error, LINKAGE_NOT_FINITE, "sin");
     }
     return linkage_because(error, LINKAGE_OFF_CIRCLE, name);
 }
 
-static double refuse(LinkageWhy *why, LinkageStatus status, const char *group, const char *name, double by, double value)
+static LinkageWide refuse(LinkageWhy *why, LinkageStatus status, const char *group, const char *name, LinkageWide by, LinkageWide value)
 {
     if (why->goes_on) {
-        return status == LINKAGE_OUT_OF_REACH ? why->stand_in : (double)NAN;
+        return status == LINKAGE_OUT_OF_REACH ? why->stand_in : (LinkageWide)NAN;
     }
     why->status = status;
     why->group = group;
@@ -73,27 +101,12 @@ static double refuse(LinkageWhy *why, LinkageStatus status, const char *group, c
     return value;
 }
 
-/* A number of the caller's width. */
-static double narrowed(const LinkageWhy *why, double value)
-{
-    return why->is_single ? (double)(float)value : value;
-}
-
-static double epsilon(const LinkageWhy *why) { return why->is_single ? (double)FLT_EPSILON : DBL_EPSILON; }
-
-static double smallest_normal(const LinkageWhy *why) { return why->is_single ? (double)FLT_MIN : DBL_MIN; }
-
-static double smallest_square(const LinkageWhy *why)
-{
-    return why->is_single ? (double)linkage_smallest_squaref() : linkage_smallest_square();
-}
-
 void linkage_given_finite(LinkageWhy *why, const LinkageNamed *given, int count)
 {
     int i;
-    for (i = 0; i < count; i++) {
-        if (!linkage_is_finite(given[i].value)) {
-            (void)refuse(why, LINKAGE_NOT_FINITE, NULL, given[i].name, 0.0, 0.0);
+    for (i = 0; i < count; i++) { /* at most count times */
+        if (!is_finite(given[i].value)) {
+            (void)refuse(why, LINKAGE_NOT_FINITE, NULL, given[i].name, 0, 0);
             return;
         }
     }
@@ -103,28 +116,28 @@ void linkage_given_finite(LinkageWhy *why, const LinkageNamed *given, int count)
  * as a rate that is squared on the way does; where there is none, the result itself. */
 static void blame(LinkageWhy *why, const char *result, const LinkageNamed *given, int count)
 {
-    double largest = 0.0;
+    LinkageWide largest = 0;
     int i;
-    for (i = 0; i < count; i++) {
-        const double size = fabs(given[i].value);
-        const double square = narrowed(why, given[i].value * given[i].value);
-        const double fourth = narrowed(why, square * square);
-        if (!linkage_is_finite(fourth) && size > largest) {
+    for (i = 0; i < count; i++) { /* at most count times */
+        const LinkageWide size = size_of(given[i].value);
+        const LinkageWide square = narrowed(why, given[i].value * given[i].value);
+        const LinkageWide fourth = narrowed(why, square * square);
+        if (!is_finite(fourth) && size > largest) {
             largest = size;
             result = given[i].name;
         }
     }
-    (void)refuse(why, LINKAGE_NOT_FINITE, NULL, result, 0.0, 0.0);
+    (void)refuse(why, LINKAGE_NOT_FINITE, NULL, result, 0, 0);
 }
 
 void linkage_results_finite(LinkageWhy *why, const LinkageNamed *results, int count, const LinkageNamed *given, int given_count)
 {
     int i;
     if (why->status == LINKAGE_OK && why->otherwise != NULL) {
-        (void)refuse(why, LINKAGE_NOT_FINITE, NULL, why->otherwise, 0.0, 0.0);
+        (void)refuse(why, LINKAGE_NOT_FINITE, NULL, why->otherwise, 0, 0);
     }
-    for (i = 0; i < count && why->status == LINKAGE_OK; i++) {
-        if (!linkage_is_finite(results[i].value)) {
+    for (i = 0; i < count && why->status == LINKAGE_OK; i++) { /* at most count times */
+        if (!is_finite(results[i].value)) {
             blame(why, results[i].name, given, given_count);
         }
     }
@@ -135,13 +148,13 @@ int linkage_lacks_a_pose(const LinkageWhy *why)
     return why->status == LINKAGE_OUT_OF_REACH || why->status == LINKAGE_NO_SOLUTION;
 }
 
-int linkage_is_told(const double *told, const double *others, int count)
+int linkage_is_told(const LinkageWide *told, const LinkageWide *others, int count)
 {
     int i, known = 0;
-    for (i = 0; i < count; i++) {
-        if (linkage_is_finite(told[i])) {
+    for (i = 0; i < count; i++) { /* at most count times */
+        if (is_finite(told[i])) {
             known++;
-        } else if (told[i] == told[i] || !linkage_is_finite(others[i])) {
+        } else if (told[i] == told[i] || !is_finite(others[i])) {
             return 0;
         }
     }
@@ -150,63 +163,63 @@ int linkage_is_told(const double *told, const double *others, int count)
 
 /* Sizes. */
 
-double linkage_nonzero(LinkageWhy *why, double value, const char *group)
+LinkageWide linkage_nonzero(LinkageWhy *why, LinkageWide value, const char *group)
 {
     if (why->status != LINKAGE_OK) {
         return value;
     }
     if (value != value) {
-        return refuse(why, LINKAGE_NOT_FINITE, NULL, group, 0.0, value);
+        return refuse(why, LINKAGE_NOT_FINITE, NULL, group, 0, value);
     }
-    return value == 0.0 ? refuse(why, LINKAGE_SINGULAR, group, NULL, 0.0, value) : value;
+    return value == 0 ? refuse(why, LINKAGE_SINGULAR, group, NULL, 0, value) : value;
 }
 
-static double valid(LinkageWhy *why, double value, int is_valid, const char *group, const char *name)
+static LinkageWide valid(LinkageWhy *why, LinkageWide value, int is_valid, const char *group, const char *name)
 {
     if (why->status != LINKAGE_OK) {
         return value;
     }
     if (value != value) {
-        return refuse(why, LINKAGE_NOT_FINITE, NULL, name, 0.0, value);
+        return refuse(why, LINKAGE_NOT_FINITE, NULL, name, 0, value);
     }
-    return is_valid ? value : refuse(why, LINKAGE_INVALID_LENGTH, group, name, 0.0, value);
+    return is_valid ? value : refuse(why, LINKAGE_INVALID_LENGTH, group, name, 0, value);
 }
 
-double linkage_positive(LinkageWhy *why, double value, const char *group, const char *name)
+LinkageWide linkage_positive(LinkageWhy *why, LinkageWide value, const char *group, const char *name)
 {
-    return valid(why, value, value > 0.0, group, name);
+    return valid(why, value, value > 0, group, name);
 }
 
-double linkage_not_negative(LinkageWhy *why, double value, const char *group, const char *name)
+LinkageWide linkage_not_negative(LinkageWhy *why, LinkageWide value, const char *group, const char *name)
 {
-    return valid(why, value, value >= 0.0, group, name);
+    return valid(why, value, value >= 0, group, name);
 }
 
-double linkage_square(LinkageWhy *why, double value, const char *group)
+LinkageWide linkage_square(LinkageWhy *why, LinkageWide value, const char *group)
 {
     if (why->status != LINKAGE_OK) {
         return value;
     }
-    if (value == 0.0) {
-        return refuse(why, LINKAGE_SINGULAR, group, NULL, 0.0, value);
+    if (value == 0) {
+        return refuse(why, LINKAGE_SINGULAR, group, NULL, 0, value);
     }
-    if (linkage_is_finite(value) && value >= smallest_square(why)) {
+    if (is_finite(value) && is_full_square(why, value)) {
         return value;
     }
-    return refuse(why, LINKAGE_NOT_FINITE, NULL, group, 0.0, value);
+    return refuse(why, LINKAGE_NOT_FINITE, NULL, group, 0, value);
 }
 
-double linkage_moving(LinkageWhy *why, double value, double spread, const char *name)
+LinkageWide linkage_moving(LinkageWhy *why, LinkageWide value, LinkageWide spread, const char *name)
 {
     if (why->status != LINKAGE_OK) {
         return value;
     }
     if (value != value) {
-        return refuse(why, LINKAGE_NOT_FINITE, NULL, name, 0.0, value);
+        return refuse(why, LINKAGE_NOT_FINITE, NULL, name, 0, value);
     }
-    if (value > ROUNDINGS * epsilon(why) * spread) {
+    if (is_above_rounding(why, value, spread)) {
         return value;
     }
-    return refuse(why, LINKAGE_SINGULAR, name, NULL, 0.0, value);
+    return refuse(why, LINKAGE_SINGULAR, name, NULL, 0, value);
 }
 

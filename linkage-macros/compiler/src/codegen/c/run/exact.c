@@ -1,4 +1,9 @@
+#ifndef LINKAGE_NO_DOUBLE
+
 /* Numbers without rounding. */
+
+/* Above this a sum of two words has the sign of the exact one and, but for half a unit, its last place. */
+#define TWO_WORDS (1.0 / 1099511627776.0)
 
 /* The sum of at most 16 terms, rounded at the very end: J. R. Shewchuk, Discrete & Computational Geometry 18
  * (1997), grow-expansion. */
@@ -6,16 +11,16 @@ static double exact_sum(const double *terms, int count)
 {
     double parts[16], sum = 0.0;
     int i, k;
-    for (i = 0; i < count; i++) {
+    for (i = 0; i < count; i++) { /* at most 16 times */
         double carry = terms[i];
-        for (k = 0; k < i; k++) {
+        for (k = 0; k < i; k++) { /* at most 16 times */
             const double next = carry + parts[k];
             parts[k] = linkage_add_err(carry, parts[k]);
             carry = next;
         }
         parts[i] = carry;
     }
-    for (i = 0; i < count; i++) {
+    for (i = 0; i < count; i++) { /* at most 16 times */
         sum += parts[i];
     }
     return sum;
@@ -45,7 +50,7 @@ static int scale_of(Scale *scale, const double *numbers, int count)
     double largest = 0.0;
     uint64_t bits;
     int i, exponent;
-    for (i = 0; i < count; i++) {
+    for (i = 0; i < count; i++) { /* at most 16 times */
         if (!linkage_is_finite(numbers[i])) {
             return 0;
         }
@@ -94,7 +99,7 @@ static LINKAGE_COLD double excess_with(double dx, double dy, double a, double b,
     const double y[8] = { dx, dy, a, b, w, b, w, w };
     double terms[16];
     int i;
-    for (i = 0; i < 8; i++) {
+    for (i = 0; i < 8; i++) { /* at most 8 times */
         terms[2 * i] = x[i] * y[i];
         terms[2 * i + 1] = linkage_mul_err(x[i], y[i]);
     }
@@ -113,8 +118,6 @@ static double excess(double dx, double dy, double a, double b)
 }
 
 /* Decisions. */
-
-typedef enum Reach { MEETS, AT_LIMIT, BEYOND, COINCIDENT, NO_NUMBER } Reach;
 
 /* Two circles, scaled and without signs. */
 typedef struct Circles {
@@ -155,71 +158,113 @@ static Reach too_close(double dx, double dy, double longer, double shorter, doub
 }
 
 /* Decides whether circles meet; `by` is what is missing. */
-static Reach circles(const LinkageWhy *why, double dx, double dy, double l1, double l2, double *by)
+static Reach circles(const LinkageWhy *why, double dx, double dy, double l1, double l2, Circles *c, double *by)
 {
-    Circles c;
     double d, slack, span, missing;
     int is_clear;
-    if (!circles_of(&c, dx, dy, l1, l2)) {
+    if (!circles_of(c, dx, dy, l1, l2)) {
         return NO_NUMBER;
     }
-    d = distance(c.dx, c.dy);
-    slack = slack_of(why, &c.scale, larger(d, c.longer));
-    span = c.longer + c.shorter;
-    missing = excess(c.dx, c.dy, c.longer, c.shorter);
+    d = distance(c->dx, c->dy);
+    slack = slack_of(why, &c->scale, larger(d, c->longer));
+    span = c->longer + c->shorter;
+    missing = excess(c->dx, c->dy, c->longer, c->shorter);
     if (missing <= 0.0) {
-        return too_close(c.dx, c.dy, c.longer, c.shorter, slack, &c.scale, by);
+        return too_close(c->dx, c->dy, c->longer, c->shorter, slack, &c->scale, by);
     }
     is_clear = missing > 2.0 * (slack * (2.0 * span + slack));
-    if (!is_clear && excess_with(c.dx, c.dy, c.longer, c.shorter, slack) <= 0.0) {
+    if (!is_clear && excess_with(c->dx, c->dy, c->longer, c->shorter, slack) <= 0.0) {
         return AT_LIMIT;
     }
-    *by = scaled_up(&c.scale, missing / (d + span));
+    *by = scaled_up(&c->scale, missing / (d + span));
     return BEYOND;
 }
 
 /* The square of half the sine of the angle between the bars. */
-static double height_product(double dx, double dy, double l1, double l2)
+static double height_product(const Circles *c)
 {
-    Circles c;
-    double outer, inner, four;
-    if (!circles_of(&c, dx, dy, l1, l2)) {
-        return dx - dx;
-    }
-    outer = -excess(c.dx, c.dy, c.longer, c.shorter);
-    inner = excess(c.dx, c.dy, c.longer, -c.shorter);
-    four = 4.0 * c.longer * c.shorter;
+    const double outer = -excess(c->dx, c->dy, c->longer, c->shorter);
+    const double inner = excess(c->dx, c->dy, c->longer, -c->shorter);
+    const double four = 4.0 * c->longer * c->shorter;
     return (outer / four) * (inner / four);
 }
 
-/* Where the joint's foot stands on the line of centres, as a share of it. */
-static double foot(double dx, double dy, double l1, double l2)
+/* Where the joint's foot stands on the line of centres, as a share of it; also of a joint on the line. */
+static double foot(const Circles *c, int is_on_line)
 {
-    Circles c;
-    double terms[8];
+    const double x[4] = { c->dx, c->dy, c->l1, -c->l2 }, y[4] = { c->dx, c->dy, c->l1, c->l2 };
+    double terms[8], share;
     int i;
-    if (!circles_of(&c, dx, dy, l1, l2)) {
-        return dx - dx;
+    for (i = 0; i < 4; i++) { /* at most 4 times */
+        terms[2 * i] = x[i] * y[i];
+        terms[2 * i + 1] = linkage_mul_err(x[i], y[i]);
     }
-    {
-        const double x[4] = { c.dx, c.dy, c.l1, -c.l2 }, y[4] = { c.dx, c.dy, c.l1, c.l2 };
-        for (i = 0; i < 4; i++) {
-            terms[2 * i] = x[i] * y[i];
-            terms[2 * i + 1] = linkage_mul_err(x[i], y[i]);
-        }
+    share = exact_sum(terms, 8) / (2.0 * (c->dx * c->dx + c->dy * c->dy));
+    if (is_on_line) {
+        const double size = c->l1 / distance(c->dx, c->dy);
+        return share < 0.0 ? -size : size;
     }
-    return exact_sum(terms, 8) / (2.0 * (c.dx * c.dx + c.dy * c.dy));
+    return share;
 }
 
-/* The same of a joint on the line. */
-static double foot_on_line(double dx, double dy, double l1, double l2)
+/* Decides whether |t| <= |l|. */
+static Reach line(const LinkageWhy *why, double t, double l, double *by)
 {
-    Circles c;
-    double share;
-    if (!circles_of(&c, dx, dy, l1, l2)) {
-        return dx - dx;
+    const double given[2] = { t, l };
+    double a, b, terms[3];
+    Scale scale;
+    if (!scale_of(&scale, given, 2)) {
+        return NO_NUMBER;
     }
-    share = c.l1 / distance(c.dx, c.dy);
-    return foot(dx, dy, l1, l2) < 0.0 ? -share : share;
+    a = fabs(t * scale.down);
+    b = fabs(l * scale.down);
+    if (a <= b) {
+        return MEETS;
+    }
+    terms[0] = a;
+    terms[1] = -b;
+    terms[2] = -slack_of(why, &scale, larger(a, b));
+    if (exact_sum(terms, 3) <= 0.0) {
+        return AT_LIMIT;
+    }
+    *by = scaled_up(&scale, a - b);
+    return BEYOND;
+}
+
+/* Decides whether a point is as far away as an offset. */
+static Reach offset(const LinkageWhy *why, double bx, double by, double e, double *missing)
+{
+    const double given[3] = { bx, by, e };
+    double x, y, gap;
+    Scale scale;
+    if (!scale_of(&scale, given, 3)) {
+        return NO_NUMBER;
+    }
+    x = fabs(bx * scale.down);
+    y = fabs(by * scale.down);
+    gap = fabs(e * scale.down);
+    return too_close(x, y, gap, 0.0, slack_of(why, &scale, larger(distance(x, y), gap)), &scale, missing);
+}
+
+/* Values. */
+
+/* The square of half the sine of the angle between the bars, in squares of a unit. */
+static double height_in(const Circles *c, double unit)
+{
+    return height_product(c) * unit * unit;
+}
+
+/* The square of the height of a triangle over its side l. The answer says whether it can be told from zero where it is
+ * none. */
+static int square_of_height(const LinkageWhy *why, const Circles *c, double l, double r1, double r2, double *square)
+{
+    const double height = 2.0 * r1 * (r2 / l), product = height_product(c);
+    *square = product * height * height;
+    return !(product > 0.0 && *square < smallest_normal(why));
+}
+
+static int is_product_normal(const LinkageWhy *why, double l1, double l2)
+{
+    return 4.0 * l1 * l2 >= smallest_normal(why);
 }
 

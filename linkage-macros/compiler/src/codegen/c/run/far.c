@@ -1,5 +1,7 @@
 /* Angles beyond the kernels' range. */
 
+#ifndef LINKAGE_NO_DOUBLE
+
 /* 2/pi in words of 32 bits, behind 64 zeros. */
 static const uint32_t digits_of_quadrants[39] = {
     0x00000000u, 0x00000000u, 0xa2f9836eu, 0x4e441529u, 0xfc2757d1u, 0xf534ddc0u, 0xdb629599u, 0x3c439041u,
@@ -15,10 +17,10 @@ static void multiplied(uint64_t mantissa, int start, uint32_t *product)
     const int word = start / 32, shift = start % 32;
     int place, i;
     memset(product, 0, 6 * sizeof *product);
-    for (place = 0; place < 2; place++) {
+    for (place = 0; place < 2; place++) { /* at most 2 times */
         const uint64_t factor = place == 0 ? mantissa & 0xffffffffu : mantissa >> 32;
         uint64_t carry = 0;
-        for (i = 0; i + place < 6; i++) {
+        for (i = 0; i + place < 6; i++) { /* at most 6 times */
             const uint32_t *pair = &digits_of_quadrants[word + 5 - i];
             const uint32_t digit = (uint32_t)(((uint64_t)pair[0] << 32 | pair[1]) >> (32 - shift));
             const uint64_t sum = factor * digit + product[i + place] + carry;
@@ -59,7 +61,6 @@ static int quarters_of(double x, double rest[2])
     return x < 0.0 ? -count : count;
 }
 
-#ifndef LINKAGE_NO_DOUBLE
 LINKAGE_COLD void linkage_sin_cos_far(double x, double *to_sin, double *to_cos)
 {
     double rest[2], product, error, r;
@@ -74,21 +75,80 @@ LINKAGE_COLD void linkage_sin_cos_far(double x, double *to_sin, double *to_cos)
     r = product + error;
     linkage_sin_cos_of(r, (r - product) - error, 6755399441055744.0 + count, to_sin, to_cos);
 }
+
+#ifndef LINKAGE_NO_SINGLE
+/* The remainder of an angle in single precision, in rad and in two words, and its count of quarter turns. */
+static int remainder_of(float x, float *r, float *excess)
+{
+    double rest[2], wide;
+    const int count = quarters_of((double)x, rest);
+    wide = (rest[0] + rest[1]) * 1.5707963267948966;
+    *r = (float)wide;
+    *excess = (float)((double)*r - wide);
+    return count;
+}
+#endif /* LINKAGE_NO_SINGLE */
+
+#else
+
+/* 2/pi in words of 32 bits, behind 32 zeros. */
+static const uint32_t digits_of_quadrants[9] = {
+    0x00000000u, 0xa2f9836eu, 0x4e441529u, 0xfc2757d1u, 0xf534ddc0u, 0xdb629599u, 0x3c439041u, 0xfe5163abu, 0xdebbc561u
+};
+
+/* The same by three words of the product of 24 bits of the angle and 128 of 2/pi, without those that make whole
+ * turns. */
+static int remainder_of(float x, float *r, float *excess)
+{
+    uint32_t bits, mantissa, product[4], first, second, third, carry = 0u, flip;
+    LinkagePair rest;
+    Sum sum;
+    int start, i, count, is_above_half;
+    memcpy(&bits, &x, sizeof bits);
+    mantissa = (bits & 0x7fffffu) | 0x800000u;
+    start = (int)(bits >> 23 & 0xffu) - (127 + 23 - 30);
+    for (i = 3; i >= 0; i--) { /* at most 4 times */
+        const uint32_t *pair = &digits_of_quadrants[start / 32 + i];
+        const uint32_t digit = (uint32_t)(((uint64_t)pair[0] << 32 | pair[1]) >> (32 - start % 32));
+        const uint64_t place = (uint64_t)mantissa * digit + carry;
+        product[i] = (uint32_t)place;
+        carry = (uint32_t)(place >> 32);
+    }
+    first = product[0] << 2 | product[1] >> 30;
+    second = product[1] << 2 | product[2] >> 30;
+    third = product[2] << 2 | product[3] >> 30;
+    is_above_half = (int)(first >> 31);
+    count = (int)(product[0] >> 30) + is_above_half;
+    flip = is_above_half ? 0xffffffffu : 0u;
+    first ^= flip;
+    second ^= flip;
+    third ^= flip;
+    /* Words of 24 bits are exact. */
+    sum.count = 0;
+    add(&sum, (float)(third & 0xffffffu) * 0x1p-96f);
+    add(&sum, (float)((second & 0xffffu) << 8 | third >> 24) * 0x1p-72f);
+    add(&sum, (float)((first & 0xffu) << 16 | second >> 16) * 0x1p-48f);
+    add(&sum, (float)(first >> 8) * 0x1p-24f);
+    rest = pair_of(&sum);
+    rest = linkage_pair_times(rest, linkage_pair(1.57079637f, -4.37113883e-08f));
+    if (is_above_half != (x < 0.0f)) {
+        rest = linkage_pair_minus(rest);
+    }
+    *r = rest.high;
+    *excess = -rest.low;
+    return x < 0.0f ? -count : count;
+}
+
 #endif /* LINKAGE_NO_DOUBLE */
 
 #ifndef LINKAGE_NO_SINGLE
-LINKAGE_COLD void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos)
+LINKAGE_COLD void linkage_reducef(float x, float *r, float *excess, float *shifted)
 {
-    double rest[2], wide;
-    float r;
-    int count;
-    if (!linkage_is_finitef(x)) {
-        *to_sin = *to_cos = x - x;
-        return;
+    *r = x - x;
+    *excess = 0.0f;
+    *shifted = 12582912.0f;
+    if (linkage_is_finitef(x)) {
+        *shifted += (float)remainder_of(x, r, excess);
     }
-    count = quarters_of((double)x, rest);
-    wide = (rest[0] + rest[1]) * 1.5707963267948966;
-    r = (float)wide;
-    linkage_sin_cos_off(r, (float)((double)r - wide), 12582912.0f + (float)count, to_sin, to_cos);
 }
 #endif /* LINKAGE_NO_SINGLE */

@@ -25,8 +25,15 @@
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "a refusal rests on exact rounding: compile without excess precision, as with -msse2 -mfpmath=sse"
 #endif
-#if DBL_MANT_DIG < 53
-#error "double has fewer than 64 bits here, and decisions at a limit need them: avr-gcc 10 has such a double by -mdouble=64"
+
+/* Numbers by which the slow path decides. With LINKAGE_NO_DOUBLE these are float as well, and decisions are made in sums of
+ * them: refusals are the same, and no double is computed with. */
+#if defined(LINKAGE_NO_DOUBLE)
+typedef float LinkageWide;
+#elif DBL_MANT_DIG < 53
+#error "double has fewer than 64 bits here: define LINKAGE_NO_DOUBLE for decisions in float, or as for avr-gcc 10 ask for -mdouble=64"
+#else
+typedef double LinkageWide;
 #endif
 
 /* No product is contracted into a sum but where a fused operation is written. gcc 12 contracts vectors of sums and

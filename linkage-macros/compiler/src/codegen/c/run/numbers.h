@@ -84,7 +84,7 @@ static inline REAL linkage_times_polynomial@(REAL x, const REAL *coefficients, i
 {
     REAL sum = 0.0@;
     int i;
-    for (i = count; i > 0; i--) {
+    for (i = count; i > 0; i--) { /* at most 23 times */
         sum = linkage_fused@(sum, x, coefficients[i - 1]);
     }
     return x * sum;

@@ -30,4 +30,12 @@ static inline void linkage_sin_cos_nearf(float x, float *to_sin, float *to_cos)
     linkage_sin_cos_exactf(x, to_sin, to_cos);
 }
 
-void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos);
+/* The remainder of any other angle, r - excess, and its quarter turns; not numbers where the angle is none. */
+void linkage_reducef(float x, float *r, float *excess, float *shifted);
+
+static inline void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos)
+{
+    float r, excess, shifted;
+    linkage_reducef(x, &r, &excess, &shifted);
+    linkage_sin_cos_off(r, excess, shifted, to_sin, to_cos);
+}

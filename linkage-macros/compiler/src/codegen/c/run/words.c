@@ -20,6 +20,8 @@ const char *linkage_status_text(LinkageStatus status)
     }
 }
 
+#ifndef LINKAGE_NO_DOUBLE
+
 /* The turns between two angles: to the nearest integer, ties to even. From 2^51 on the fraction's bits are beyond what
  * an angle can tell. */
 static double turns_between(double angle, double previous)
@@ -28,13 +30,11 @@ static double turns_between(double angle, double previous)
     return fabs(turns) < 2251799813685248.0 ? (turns + 6755399441055744.0) - 6755399441055744.0 : turns;
 }
 
-#ifndef LINKAGE_NO_DOUBLE
 double linkage_angle_near(double cosine, double sine, double previous)
 {
     const double angle = linkage_atan2(sine, cosine);
     return angle + turns_between(angle, previous) * 6.283185307179586;
 }
-#endif /* LINKAGE_NO_DOUBLE */
 
 #ifndef LINKAGE_NO_SINGLE
 float linkage_angle_near_f32(float cosine, float sine, float previous)
@@ -43,3 +43,35 @@ float linkage_angle_near_f32(float cosine, float sine, float previous)
     return angle + (float)(turns_between((double)angle, (double)previous) * 6.283185307179586);
 }
 #endif /* LINKAGE_NO_SINGLE */
+
+#else
+
+/* A difference less the turns in it, which a sum with a large number rounds. */
+static LinkagePair turned_back(LinkagePair difference, float large)
+{
+    const float turns = (difference.high * 0.159154937f + large) - large;
+    const LinkagePair more = linkage_pair_plus(difference, linkage_pair_product(-turns, 6.28318548f));
+    return linkage_pair_plus(more, linkage_pair_product(turns, 1.74845553e-07f));
+}
+
+float linkage_angle_near_f32(float cosine, float sine, float previous)
+{
+    const float angle = linkage_atan2f(sine, cosine);
+    const LinkagePair turn = { 6.28318548f, -1.74845553e-07f }, half = { 3.14159274f, -8.74227766e-08f };
+    const LinkagePair difference = linkage_pair_sum(previous, -angle);
+    LinkagePair rest;
+    /* Beyond this a turn is less than half a last place. */
+    if (!(fabsf(previous) < 536870912.0f)) {
+        return angle + previous;
+    }
+    /* By 16 turns, and then by one. */
+    rest = turned_back(turned_back(difference, 201326592.0f), 12582912.0f);
+    if (linkage_pair_above(rest, half)) {
+        rest = linkage_pair_plus(rest, linkage_pair_minus(turn));
+    } else if (linkage_pair_above(linkage_pair_minus(half), rest)) {
+        rest = linkage_pair_plus(rest, turn);
+    }
+    return angle + linkage_pair_plus(difference, linkage_pair_minus(rest)).high;
+}
+
+#endif /* LINKAGE_NO_DOUBLE */

@@ -21,3 +21,11 @@
 #define FREE 1
 #define CHANGES 3
 #define WIDTH(count) (CHANGES + 2 * (count))
+
+static void refuse_amount(LinkageWhy *why, LinkageStatus status, const char *joint)
+{
+    why->status = status;
+    why->name = joint;
+    why->group = NULL;
+    why->by = 0;
+}

@@ -1,20 +1,12 @@
 
 /* The slow path, in double precision whatever the caller's width. */
 
-static void refuse_amount(LinkageWhy *why, LinkageStatus status, const char *joint)
-{
-    why->status = status;
-    why->name = joint;
-    why->group = NULL;
-    why->by = 0.0;
-}
-
 /* The largest distance of amounts from their equations, by weights. */
 static double off(int count, const double *amounts, const double *values, const double *weights)
 {
     double largest = 0.0;
     int j;
-    for (j = 0; j < count; j++) {
+    for (j = 0; j < count; j++) { /* at most MOST times */
         const double by = magnitude(values[j] - amounts[j]) / weights[j];
         if (by > largest) {
             largest = by;
@@ -28,9 +20,9 @@ static double gain_of(int count, const double *start, double bounds[MOST][MOST],
 {
     double matrix[MOST][MOST], units[MOST], gain = 0.0;
     int j, k;
-    for (j = 0; j < count; j++) {
+    for (j = 0; j < count; j++) { /* at most MOST times */
         double sum = 0.0;
-        for (k = 0; k < count; k++) {
+        for (k = 0; k < count; k++) { /* at most MOST times */
             sum = sum + bounds[j][k] * start[k];
         }
         units[j] = start[j] + sum > 0.0 ? start[j] + sum : 1.0;
@@ -39,7 +31,7 @@ static double gain_of(int count, const double *start, double bounds[MOST][MOST],
     memcpy(matrix, bounds, sizeof matrix);
     without(count, matrix);
     solve(count, matrix, weights);
-    for (j = 0; j < count; j++) {
+    for (j = 0; j < count; j++) { /* at most MOST times */
         const double by = 1.0 - units[j] / weights[j];
         if (by > gain) {
             gain = by;
@@ -58,7 +50,7 @@ static int guarded(const System *s, const double *start, double bounds[MOST][MOS
     int step;
     memcpy(amounts, start, size);
     linear(s, amounts, NULL, values, slope);
-    for (step = 0; step <= GUARDED; step++) {
+    for (step = 0; step <= GUARDED; step++) { /* at most GUARDED + 1 times */
         if (settled(s->count, amounts, values, start, bounds)) {
             return 1;
         }
@@ -93,7 +85,7 @@ static int solved(int count, unsigned guides, const double *rows, double *amount
     }
     linear(&s, none, NULL, start, slope);
     memcpy(amounts, start, (size_t)count * sizeof *amounts);
-    for (step = 0; step <= NEWTON; step++) {
+    for (step = 0; step <= NEWTON; step++) { /* at most NEWTON + 1 times */
         linear(&s, amounts, NULL, values, slope);
         if (settled(count, amounts, values, start, bounds)) {
             return count;

@@ -20,8 +20,8 @@ static const REAL *row@(const System@ *s, int j) { return s->rows + j * WIDTH(s-
 static void without@(int count, REAL matrix[MOST][MOST])
 {
     int j, k;
-    for (j = 0; j < count; j++) {
-        for (k = 0; k < count; k++) {
+    for (j = 0; j < count; j++) { /* at most MOST times */
+        for (k = 0; k < count; k++) { /* at most MOST times */
             matrix[j][k] = j == k ? 1.0@ - matrix[j][k] : -matrix[j][k];
         }
     }
@@ -32,9 +32,9 @@ static void eliminate@(int count, REAL matrix[MOST][MOST], REAL *right, int k)
 {
     const REAL inverse = 1.0@ / matrix[k][k];
     int i, j;
-    for (j = k + 1; j < count; j++) {
+    for (j = k + 1; j < count; j++) { /* at most MOST times */
         const REAL factor = -(matrix[j][k] * inverse);
-        for (i = k + 1; i < count; i++) {
+        for (i = k + 1; i < count; i++) { /* at most MOST times */
             matrix[j][i] = linkage_fused@(factor, matrix[k][i], matrix[j][i]);
         }
         right[j] = linkage_fused@(factor, right[k], right[j]);
@@ -46,11 +46,11 @@ static void eliminate@(int count, REAL matrix[MOST][MOST], REAL *right, int k)
 static void solve@(int count, REAL matrix[MOST][MOST], REAL *right)
 {
     int j, k;
-    for (k = 0; k < count; k++) {
+    for (k = 0; k < count; k++) { /* at most MOST times */
         eliminate@(count, matrix, right, k);
     }
-    for (k = count - 1; k >= 0; k--) {
-        for (j = k + 1; j < count; j++) {
+    for (k = count - 1; k >= 0; k--) { /* at most MOST times */
+        for (j = k + 1; j < count; j++) { /* at most MOST times */
             right[k] = linkage_fused@(-matrix[k][j], right[j], right[k]);
         }
         right[k] = right[k] * matrix[k][k];
@@ -64,7 +64,7 @@ static int jammed@(int count, REAL bounds[MOST][MOST])
     int k;
     memcpy(matrix, bounds, sizeof matrix);
     without@(count, matrix);
-    for (k = 0; k < count; k++) {
+    for (k = 0; k < count; k++) { /* at most MOST times */
         /* NaN is no positive pivot. */
         if (!(matrix[k][k] > 0.0@)) {
             break;
@@ -78,8 +78,8 @@ static int jammed@(int count, REAL bounds[MOST][MOST])
 static void bounds_of@(const System@ *s, REAL bounds[MOST][MOST])
 {
     int j, k;
-    for (j = 0; j < s->count; j++) {
-        for (k = 0; k < s->count; k++) {
+    for (j = 0; j < s->count; j++) { /* at most MOST times */
+        for (k = 0; k < s->count; k++) { /* at most MOST times */
             const REAL *pair = row@(s, j) + CHANGES + 2 * k;
             const REAL x = magnitude@(pair[0]), y = magnitude@(pair[1]);
             const REAL length = sqrt@(linkage_fused@(pair[0], pair[0], pair[1] * pair[1]));
@@ -93,9 +93,9 @@ static void reaction@(const System@ *s, int j, const REAL *amounts, REAL *to)
 {
     const REAL *of = row@(s, j);
     int k, axis;
-    for (axis = 0; axis < 2; axis++) {
+    for (axis = 0; axis < 2; axis++) { /* at most 2 times */
         REAL sum = of[CHANGES + axis] * amounts[0];
-        for (k = 1; k < s->count; k++) {
+        for (k = 1; k < s->count; k++) { /* at most MOST times */
             sum = linkage_fused@(of[CHANGES + 2 * k + axis], amounts[k], sum);
         }
         to[axis] = of[FREE + axis] + sum;
@@ -117,7 +117,7 @@ static REAL length@(REAL x, REAL y, int *are_near)
 static void linear@(const System@ *s, const REAL *amounts, int *are_near, REAL *values, REAL slope[MOST][MOST])
 {
     int j, k;
-    for (j = 0; j < s->count; j++) {
+    for (j = 0; j < s->count; j++) { /* at most MOST times */
         const REAL *of = row@(s, j);
         REAL of_reaction[2], direction[2], size;
         reaction@(s, j, amounts, of_reaction);
@@ -137,7 +137,7 @@ static void linear@(const System@ *s, const REAL *amounts, int *are_near, REAL *
         values[j] = of[0] * size;
         direction[0] = of[0] * direction[0];
         direction[1] = of[0] * direction[1];
-        for (k = 0; k < s->count; k++) {
+        for (k = 0; k < s->count; k++) { /* at most MOST times */
             const REAL *by = of + CHANGES + 2 * k;
             slope[j][k] = linkage_fused@(by[0], direction[0], by[1] * direction[1]);
         }
@@ -151,11 +151,11 @@ static void newton@(int count, const REAL *amounts, const REAL *values, REAL slo
     int j;
     memcpy(matrix, slope, sizeof matrix);
     without@(count, matrix);
-    for (j = 0; j < count; j++) {
+    for (j = 0; j < count; j++) { /* at most MOST times */
         step[j] = values[j] - amounts[j];
     }
     solve@(count, matrix, step);
-    for (j = 0; j < count; j++) {
+    for (j = 0; j < count; j++) { /* at most MOST times */
         next[j] = amounts[j] + step[j];
     }
 }
@@ -164,9 +164,9 @@ static void newton@(int count, const REAL *amounts, const REAL *values, REAL slo
 static int settled@(int count, const REAL *amounts, const REAL *values, const REAL *start, REAL bounds[MOST][MOST])
 {
     int j, k, met = 1;
-    for (j = 0; j < count; j++) {
+    for (j = 0; j < count; j++) { /* at most MOST times */
         REAL size = start[j];
-        for (k = 0; k < count; k++) {
+        for (k = 0; k < count; k++) { /* at most MOST times */
             size = linkage_fused@(bounds[j][k], amounts[k], size);
         }
         met &= linkage_is_within@(values[j] - amounts[j], 4.0@ * LEAST_EPSILON * size);

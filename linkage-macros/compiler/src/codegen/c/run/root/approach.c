@@ -130,12 +130,12 @@ static int approach_of@(Approach@ *approach, REAL from, REAL to)
  * power. */
 static int budget@(const Approach@ *approach, REAL width, REAL *reach)
 {
-    const int known = exponent_of((double)width) - exponent_of((double)approach->tolerance) - 2;
+    const int known = exponent_of(width) - exponent_of(approach->tolerance) - 2;
     int halvings = known < 0 ? 0 : known;
     REAL wide;
     halvings = halvings < LEAST_MANT_DIG ? halvings : LEAST_MANT_DIG;
     wide = approach->tolerance * (REAL)((uint64_t)1 << halvings);
-    while (halvings < LEAST_MANT_DIG && width > wide + wide) {
+    while (halvings < LEAST_MANT_DIG && width > wide + wide) { /* at most LEAST_MANT_DIG times */
         wide = wide + wide;
         halvings++;
     }
@@ -212,7 +212,7 @@ static int close_in@(const Approach@ *approach, At@ a, At@ b, REAL start, int mo
     steps.tolerance = approach->tolerance;
     steps.width = width;
     steps.is_secant = f->seeks_slope;
-    for (left = left < most ? left : most; left > 0; left--) {
+    for (left = left < most ? left : most; left > 0; left--) { /* at most LEAST_MANT_DIG + SPARE times */
         const REAL wanted = x;
         At@ at;
         REAL step;

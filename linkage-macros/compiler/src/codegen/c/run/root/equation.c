@@ -41,7 +41,7 @@ static REAL part@(REAL y0, REAL y1, REAL d0, REAL d1)
     q = 3.0@ * (y1 - y0) - (2.0@ * d0 + d1);
     parabola = -2.0@ * y0 / (d0 + sqrt@(d0 * d0 - 4.0@ * q * y0));
     u = parabola > 0.0@ && 1.0@ > parabola ? parabola : 0.5@;
-    for (i = 0; i < CUBIC_STEPS; i++) {
+    for (i = 0; i < CUBIC_STEPS; i++) { /* at most CUBIC_STEPS times */
         const REAL value = ((p * u + q) * u + d0) * u + y0;
         const REAL slope = (3.0@ * p * u + 2.0@ * q) * u + d0;
         REAL next;
@@ -80,7 +80,7 @@ static int newton@(Equation@ *f, REAL seed, const Approach@ *approach, REAL *fou
     int i;
     steps.tolerance = approach->tolerance;
     steps.width = approach->to - approach->from;
-    for (i = 0; i < SEEDED; i++) {
+    for (i = 0; i < SEEDED; i++) { /* at most SEEDED times */
         At@ at;
         REAL step;
         if (!(x >= approach->from && approach->to >= x) || !evaluate@(f, x, &at)) {

@@ -28,6 +28,28 @@ typedef enum Failure { NO_INTERVAL, NO_ROOT, SEVERAL_DEAD_POINTS, NOT_A_NUMBER, 
 /* The course of a function between two ends. */
 typedef enum Course { RISES, IS_ZERO, NEVER_RISES, UNKNOWN_COURSE } Course;
 
+#ifdef LINKAGE_NO_DOUBLE
+
+/* The exponent as a double would have it, in which no float is subnormal. */
+static int exponent_of(float x)
+{
+    const int is_subnormal = x < FLT_MIN;
+    uint32_t bits;
+    x = is_subnormal ? x * 16777216.0f : x;
+    memcpy(&bits, &x, sizeof bits);
+    return x == 0.0f ? 0 : (int)((bits >> 23) & 0xffu) + (is_subnormal ? 1023 - 127 - 24 : 1023 - 127);
+}
+
+/* True if angles are more than a turn apart, by more than rounding. */
+static int is_beyond_a_turn(float from, float to, float epsilon)
+{
+    const LinkagePair apart = linkage_pair_plus(linkage_pair_sum(to, -from), linkage_pair(-6.28318548f, 1.74845553e-07f));
+    const LinkagePair sizes = linkage_pair_plus(linkage_pair_sum(fabsf(from), fabsf(to)), linkage_pair(6.28318548f, -1.74845553e-07f));
+    return linkage_pair_above(apart, linkage_pair(epsilon * sizes.high, epsilon * sizes.low));
+}
+
+#else
+
 static int exponent_of(double x)
 {
     uint64_t bits;
@@ -35,9 +57,18 @@ static int exponent_of(double x)
     return (int)((bits >> 52) & 0x7ffu);
 }
 
+/* True if angles are more than a turn apart, by more than rounding. */
+static int is_beyond_a_turn(double from, double to, double epsilon)
+{
+    const double turn = 6.283185307179586;
+    return to - from > turn + epsilon * (fabs(from) + fabs(to) + turn);
+}
+
+#endif /* LINKAGE_NO_DOUBLE */
+
 static int remaining(int most, int taken) { return most > taken ? most - taken : 0; }
 
-static void refuse_root(LinkageWhy *why, Failure failure, const char *unknown, double by, int is_in_order)
+static void refuse_root(LinkageWhy *why, Failure failure, const char *unknown, LinkageWide by, int is_in_order)
 {
     static const LinkageStatus statuses[] = { LINKAGE_INVALID_LENGTH, LINKAGE_NO_SOLUTION,
         LINKAGE_SEVERAL_DEAD_POINTS, LINKAGE_NOT_FINITE, LINKAGE_SINGULAR };
@@ -49,7 +80,7 @@ static void refuse_root(LinkageWhy *why, Failure failure, const char *unknown, d
         return;
     }
     why->status = statuses[failure];
-    why->by = failure == NO_ROOT ? by : 0.0;
+    why->by = failure == NO_ROOT ? by : 0;
     why->group = failure == NO_INTERVAL || failure == SINGULAR_ROOT ? unknown : NULL;
     why->name = failure == SINGULAR_ROOT ? NULL : unknown;
     if (failure == NO_INTERVAL) {

@@ -28,7 +28,7 @@ typedef struct Look@ {
 static int all_above@(REAL least, const REAL *numbers, int count)
 {
     int i, are = 1;
-    for (i = 0; i < count; i++) {
+    for (i = 0; i < count; i++) { /* at most 4 times */
         are &= numbers[i] > least;
     }
     return are;
@@ -37,7 +37,7 @@ static int all_above@(REAL least, const REAL *numbers, int count)
 static int all_below@(REAL least, const REAL *numbers, int count)
 {
     int i, are = 1;
-    for (i = 0; i < count; i++) {
+    for (i = 0; i < count; i++) { /* at most 4 times */
         are &= -least > numbers[i];
     }
     return are;
@@ -99,7 +99,7 @@ static int is_clear@(At@ a, At@ b, REAL error_of_cubic)
 static void insert@(Survey@ *s, int index, At@ from, REAL error, int is_known)
 {
     int i;
-    for (i = s->count < SAMPLES ? s->count : SAMPLES - 1; i > index + 1; i--) {
+    for (i = s->count < SAMPLES ? s->count : SAMPLES - 1; i > index + 1; i--) { /* at most SAMPLES times */
         s->pieces[i] = s->pieces[i - 1];
     }
     s->count = s->count < SAMPLES ? s->count + 1 : SAMPLES;
@@ -110,7 +110,7 @@ static void insert@(Survey@ *s, int index, At@ from, REAL error, int is_known)
         s->pieces[index + 1].error = error;
         s->pieces[index + 1].is_clear = is_known;
     }
-    for (i = index; i < index + 2 && i + 1 < s->count; i++) {
+    for (i = index; i < index + 2 && i + 1 < s->count; i++) { /* at most 2 times */
         Piece@ *piece = &s->pieces[i];
         const At@ next = s->pieces[i + 1].from;
         if (!piece->is_clear && s->widest >= next.x - piece->from.x) {
@@ -129,7 +129,7 @@ static void begin@(Survey@ *s, const At@ places[4])
     s->pieces[0].is_clear = 0;
     s->count = 1;
     s->widest = (places[3].x - first.x) * (0.125@ * (1.0@ + 4.0@ * LEAST_EPSILON));
-    for (i = 0; i < 4; i++) {
+    for (i = 0; i < 4; i++) { /* at most 4 times */
         if (places[i].x > last) {
             insert@(s, s->count - 1, places[i], (REAL)NAN, 0);
             last = places[i].x;
@@ -142,7 +142,7 @@ static int widest@(const Survey@ *s)
 {
     REAL width = 0.0@;
     int i, index = -1;
-    for (i = 0; i + 1 < s->count; i++) {
+    for (i = 0; i + 1 < s->count; i++) { /* at most SAMPLES times */
         const REAL own = s->pieces[i + 1].from.x - s->pieces[i].from.x;
         if (!s->pieces[i].is_clear && (index < 0 || own > width)) {
             index = i;
@@ -156,7 +156,7 @@ static int widest@(const Survey@ *s)
 static int passage@(const Survey@ *s, REAL turn, At@ ends[2])
 {
     int i, has_low = 0;
-    for (i = 0; i < s->count; i++) {
+    for (i = 0; i < s->count; i++) { /* at most SAMPLES times */
         const At@ at = s->pieces[i].from;
         if (at.value == 0.0@ && turn * at.slope > 0.0@) {
             ends[0] = ends[1] = at;
@@ -179,7 +179,7 @@ static REAL nearest@(const Survey@ *s, At@ ends[2])
 {
     REAL found = 0.0@, best = 0.0@;
     int i;
-    for (i = 0; i + 1 < s->count; i++) {
+    for (i = 0; i + 1 < s->count; i++) { /* at most SAMPLES times */
         const REAL sign = s->pieces[i].from.value > 0.0@ ? 1.0@ : -1.0@;
         const At@ a = turned@(s->pieces[i].from, sign), b = turned@(s->pieces[i + 1].from, sign);
         const Cubic@ c = cubic_through@(a, b);
@@ -203,7 +203,7 @@ static int survey@(Equation@ *f, const At@ places[4], int most, Look@ *look, Cou
     REAL sign;
     look->has_nearest = look->falls = 0;
     begin@(&s, places);
-    for (;;) {
+    for (;;) { /* at most 3 * SAMPLES times */
         int index;
         REAL x, error;
         if (passage@(&s, 1.0@, look->ends)) {

@@ -103,14 +103,6 @@ static int from_seed@(Equation@ *f, const Approach@ *approach, REAL seed, int *i
     return 1;
 }
 
-/* True if angles are more than a turn apart, by more than rounding. */
-static int is_beyond_a_turn@(REAL from, REAL to)
-{
-    const double a = (double)from, b = (double)to, turn = 6.283185307179586;
-    const double rounding = (double)LEAST_EPSILON * ((double)size_of@(from) + (double)size_of@(to) + turn);
-    return b - a > turn + rounding;
-}
-
 int linkage_root@(LinkageWhy *why, const char *unknown, const LinkageBetween@ *between, LinkageSides@ sides, const REAL *given, REAL *found)
 {
     Equation@ f = { NULL, NULL, 0.0@, 0, 0.0@, 0.0@, 0.0@, NO_INTERVAL, 0.0@, 0.0@ };
@@ -120,7 +112,7 @@ int linkage_root@(LinkageWhy *why, const char *unknown, const LinkageBetween@ *b
     f.given = given;
     f.trend = between->trend;
     f.width = approach.to - approach.from;
-    if (goes_on && between->is_turn && is_beyond_a_turn@(between->from, between->to)) {
+    if (goes_on && between->is_turn && is_beyond_a_turn(between->from, between->to, LEAST_EPSILON)) {
         goes_on = 0;
     }
     if (goes_on && between->has_seed) {
@@ -138,12 +130,12 @@ int linkage_root@(LinkageWhy *why, const char *unknown, const LinkageBetween@ *b
     }
     if (why != NULL && why->goes_on) {
         /* An equation is not a number where a group of its own has no pose, too. */
-        found[0] = (REAL)(f.failure == NO_ROOT || f.failure == NOT_A_NUMBER ? why->stand_in : (double)NAN);
+        found[0] = (REAL)(f.failure == NO_ROOT || f.failure == NOT_A_NUMBER ? why->stand_in : (LinkageWide)NAN);
         found[1] = 1.0@;
         return 0;
     }
     if (why != NULL) {
-        refuse_root(why, f.failure, unknown, (double)f.by, between->to > between->from);
+        refuse_root(why, f.failure, unknown, f.by, between->to > between->from);
     }
     /* The formulas go on with a trial at which the equation is no number, and find who is to blame. */
     found[0] = f.failure == NOT_A_NUMBER ? f.at : 0.0@;
