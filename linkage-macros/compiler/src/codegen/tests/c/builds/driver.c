@@ -175,8 +175,8 @@ static void friction(Call *call)
     const double size = number(60.0), radius = below(2) == 0 ? 0.1 * (double)(1u + below(9)) : 1.0;
     double largest;
     int j, k, width;
-    call->count = 1 + (int)below(4);
-    call->guides = below(16);
+    call->count = 1 + (int)below(MOST);
+    call->guides = below(1u << MOST);
     width = 3 + 2 * call->count;
     for (j = 0; j < call->count; j++) {
         float *const row = call->x + j * width;
