@@ -147,6 +147,10 @@ fn of_kernels() -> Vec<Place> {
     places
 }
 
+/// What stands before the difference that an equation may leave, without `double` and with it.
+const PERMITTED: &str = "float size)\n{\n    (void)why;\n    return ";
+const WIDELY: &str = "    return why->is_single ? (double)(";
+
 /// Constants of conditions, and the most joints whose friction depends on each other.
 fn of_conditions() -> Vec<Place> {
     let [roundings] = constants(CORE, "limit.rs", "ROUNDINGS");
@@ -155,11 +159,12 @@ fn of_conditions() -> Vec<Place> {
     let place = |file, before, digits: String, after| Place { file, before, digits, after };
     vec![
         place("lower/ranges.rs", "const ROUNDINGS: f64 = ", roundings[0].clone(), ";"),
-        place("codegen/c/run/conditions.c", "#define ROUNDINGS ", roundings[0].clone(), "\n"),
+        place("codegen/c/run/wide.c", "#define ROUNDINGS ", whole(&roundings[0]), "\n"),
         place("sketch/page/limit.js", "const ROUNDINGS = ", whole(&roundings[0]), ", ULPS"),
         place("codegen/c/in_c.rs", "const OPEN_BY: (f64, f32) = (", list(&open, ""), ");"),
-        place("codegen/c/run/reach.c", "(double)(", format!("{}f", open[1]), " * (float)size"),
-        place("codegen/c/run/reach.c", "(float)size) : ", open[0].clone(), " * size;"),
+        place("codegen/c/run/wide.c", PERMITTED, format!("{}f", open[1]), " * size;"),
+        place("codegen/c/run/wide.c", WIDELY, format!("{}f", open[1]), " * (float)size"),
+        place("codegen/c/run/wide.c", "(float)size) : ", open[0].clone(), " * size;"),
         place("sketch/page/checks.js", "const OPEN = ", power(&open[0]), ", ENDS"),
         place("codegen/c/run/friction/head.c", "#define MOST ", joints[0].clone(), "\n"),
         place("model/statements/contacts.rs", "const MOST: usize = ", joints[0].clone(), ";"),
