@@ -10,7 +10,7 @@
 #define LINKAGE_RUN_H
 
 /* A hash of the whole run-time: sources that were printed with another one do not compile with it. */
-#define LINKAGE_RUN_TIME 0xfce33addu
+#define LINKAGE_RUN_TIME 0x3d656d36u
 
 #include <float.h>
 #include <math.h>
@@ -25,8 +25,15 @@
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "a refusal rests on exact rounding: compile without excess precision, as with -msse2 -mfpmath=sse"
 #endif
-#if DBL_MANT_DIG < 53
-#error "double has fewer than 64 bits here, and decisions at a limit need them: avr-gcc 10 has such a double by -mdouble=64"
+
+/* Numbers by which the slow path decides. With LINKAGE_NO_DOUBLE these are float as well, and decisions are made in sums of
+ * them: refusals are the same, and no double is computed with. */
+#if defined(LINKAGE_NO_DOUBLE)
+typedef float LinkageWide;
+#elif DBL_MANT_DIG < 53
+#error "double has fewer than 64 bits here: define LINKAGE_NO_DOUBLE for decisions in float, or as for avr-gcc 10 ask for -mdouble=64"
+#else
+typedef double LinkageWide;
 #endif
 
 /* No product is contracted into a sum but where a fused operation is written. gcc 12 contracts vectors of sums and
@@ -212,6 +219,8 @@ float linkage_angle_near_f32(float cosine, float sine, float previous);
 
 #endif /* LINKAGE_WORDS */
 
+#ifndef LINKAGE_NO_DOUBLE
+
 /* In double precision. */
 
 static inline int linkage_is_finite(double x) { return fabs(x) <= DBL_MAX; }
@@ -297,7 +306,7 @@ static inline double linkage_times_polynomial(double x, const double *coefficien
 {
     double sum = 0.0;
     int i;
-    for (i = count; i > 0; i--) {
+    for (i = count; i > 0; i--) { /* at most 23 times */
         sum = linkage_fused(sum, x, coefficients[i - 1]);
     }
     return x * sum;
@@ -477,6 +486,8 @@ static inline int linkage_on_circle(double cosine, double sine, double *to_cos, 
     return (square >= 0.81) & (1.21 >= square);
 }
 
+#endif /* LINKAGE_NO_DOUBLE */
+
 /* In single precision. */
 
 static inline int linkage_is_finitef(float x) { return fabsf(x) <= FLT_MAX; }
@@ -562,7 +573,7 @@ static inline float linkage_times_polynomialf(float x, const float *coefficients
 {
     float sum = 0.0f;
     int i;
-    for (i = count; i > 0; i--) {
+    for (i = count; i > 0; i--) { /* at most 23 times */
         sum = linkage_fusedf(sum, x, coefficients[i - 1]);
     }
     return x * sum;
@@ -689,7 +700,15 @@ static inline void linkage_sin_cos_nearf(float x, float *to_sin, float *to_cos)
     linkage_sin_cos_exactf(x, to_sin, to_cos);
 }
 
-void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos);
+/* The remainder of any other angle, r - excess, and its quarter turns; not numbers where the angle is none. */
+void linkage_reducef(float x, float *r, float *excess, float *shifted);
+
+static inline void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos)
+{
+    float r, excess, shifted;
+    linkage_reducef(x, &r, &excess, &shifted);
+    linkage_sin_cos_off(r, excess, shifted, to_sin, to_cos);
+}
 
 /* Sine and cosine of any angle. */
 static inline void linkage_sin_cosf(float x, float *to_sin, float *to_cos)
@@ -711,31 +730,108 @@ static inline int linkage_on_circlef(float cosine, float sine, float *to_cos, fl
     return (square >= 0.81f) & (1.21f >= square);
 }
 
+#ifdef LINKAGE_NO_DOUBLE
+
+/* A number in two words, the second less than a last place of the first: 48 bits where a double would have 53. Operations
+ * are right to some units of 2^-47: M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44 (2017). */
+typedef struct LinkagePair {
+    float high;
+    float low;
+} LinkagePair;
+
+static inline LinkagePair linkage_pair(float high, float low)
+{
+    LinkagePair pair;
+    pair.high = high;
+    pair.low = low;
+    return pair;
+}
+
+/* a + b without rounding, where a is the larger. */
+static inline LinkagePair linkage_pair_joined(float a, float b)
+{
+    const float sum = a + b;
+    return linkage_pair(sum, b - (sum - a));
+}
+
+static inline LinkagePair linkage_pair_sum(float a, float b) { return linkage_pair(a + b, linkage_add_errf(a, b)); }
+
+/* What is lost of a product is exact by a fused operation and without one: it is used wherever it is there. */
+static inline LinkagePair linkage_pair_product(float a, float b)
+{
+    const float product = a * b;
+#if defined(__FP_FAST_FMAF)
+    return linkage_pair(product, fmaf(a, b, -product));
+#else
+    return linkage_pair(product, linkage_product_errorf(a, b, product));
+#endif
+}
+
+static inline LinkagePair linkage_pair_minus(LinkagePair a) { return linkage_pair(-a.high, -a.low); }
+
+static inline LinkagePair linkage_pair_plus(LinkagePair a, LinkagePair b)
+{
+    const LinkagePair high = linkage_pair_sum(a.high, b.high), low = linkage_pair_sum(a.low, b.low);
+    const LinkagePair sum = linkage_pair_joined(high.high, high.low + low.high);
+    return linkage_pair_joined(sum.high, sum.low + low.low);
+}
+
+static inline LinkagePair linkage_pair_times(LinkagePair a, LinkagePair b)
+{
+    const LinkagePair product = linkage_pair_product(a.high, b.high);
+    return linkage_pair_joined(product.high, product.low + linkage_fusedf(a.high, b.low, a.low * b.high));
+}
+
+static inline LinkagePair linkage_pair_over(LinkagePair a, LinkagePair b)
+{
+    const float quotient = a.high / b.high;
+    const LinkagePair taken = linkage_pair_times(b, linkage_pair(quotient, 0.0f));
+    const float rest = (a.high - taken.high) + (a.low - taken.low);
+    return linkage_pair_joined(quotient, rest / b.high);
+}
+
+/* Nought of nought. */
+static inline LinkagePair linkage_pair_root(LinkagePair a)
+{
+    const float root = linkage_sqrtf(a.high);
+    const LinkagePair square = linkage_pair_product(root, root);
+    const float rest = (a.high - square.high) + (a.low - square.low);
+    return root > 0.0f ? linkage_pair_joined(root, rest / (root + root)) : linkage_pair(root, 0.0f);
+}
+
+/* True if the first is the larger. */
+static inline int linkage_pair_above(LinkagePair a, LinkagePair b)
+{
+    return a.high > b.high || (a.high == b.high && a.low > b.low);
+}
+
+#endif /* LINKAGE_NO_DOUBLE */
+
 /* Why there is no answer, while the slow path looks for it. */
 typedef struct LinkageWhy {
     LinkageStatus status;
     int is_single;
-    double by;
+    LinkageWide by;
     const char *group;
     const char *name;
     const char *otherwise; /* the unknown to blame where nothing else is wrong */
     /* True if formulas go on behind what has no pose, this in its place, and NaN behind any other refusal. */
     int goes_on;
-    double stand_in;
+    LinkageWide stand_in;
     int is_open; /* true if an equation was found open, behind which nothing becomes NaN */
 } LinkageWhy;
 
 /* A number and what an error calls it. */
 typedef struct LinkageNamed {
-    double value;
+    LinkageWide value;
     const char *name;
 } LinkageNamed;
 
 LinkageWhy linkage_why(int is_single);
-LinkageWhy linkage_why_behind(int is_single, double stand_in);
+LinkageWhy linkage_why_behind(int is_single, LinkageWide stand_in);
 LinkageStatus linkage_refused(const LinkageWhy *why, LinkageError *error);
 LinkageStatus linkage_because(LinkageError *error, LinkageStatus status, const char *name);
-LinkageStatus linkage_not_on_circle(LinkageError *error, double cosine, double sine, const char *name);
+LinkageStatus linkage_not_on_circle(LinkageError *error, LinkageWide cosine, LinkageWide sine, const char *name);
 
 /* What is given has to be finite, and what comes out. */
 void linkage_given_finite(LinkageWhy *why, const LinkageNamed *given, int count);
@@ -744,25 +840,31 @@ void linkage_results_finite(LinkageWhy *why, const LinkageNamed *results, int co
 /* Margins where a group has no pose: true if some of them are known, and the others are NaN because they stand
  * behind it. These are numbers where `others` has another number in the place of what the group lacks. */
 int linkage_lacks_a_pose(const LinkageWhy *why);
-int linkage_is_told(const double *told, const double *others, int count);
+int linkage_is_told(const LinkageWide *told, const LinkageWide *others, int count);
 
 /* The conditions of the formulas: each returns the value under it, or what stands for it at a limit. */
-double linkage_nonzero(LinkageWhy *why, double value, const char *group);
-double linkage_positive(LinkageWhy *why, double value, const char *group, const char *name);
-double linkage_not_negative(LinkageWhy *why, double value, const char *group, const char *name);
-double linkage_square(LinkageWhy *why, double value, const char *group);
-double linkage_moving(LinkageWhy *why, double value, double spread, const char *name);
-double linkage_closed(LinkageWhy *why, double difference, double size, const char *unknown);
-double linkage_reach_circles(LinkageWhy *why, double value, double dx, double dy, double l1, double l2, double unit, double spread, const char *group);
-double linkage_share_of_centres(LinkageWhy *why, double value, double height, double dx, double dy, double l1, double l2, double spread, const char *group);
-double linkage_reach_distances(LinkageWhy *why, double value, double l, double r1, double r2, double spread, const char *group);
-double linkage_square_of_centres(LinkageWhy *why, double value, double dx, double dy, double l1, double l2, const char *group);
-double linkage_reach_line(LinkageWhy *why, double value, double t, double l, const char *group);
-double linkage_reach_offset(LinkageWhy *why, double value, double bx, double by, double e, const char *group);
+LinkageWide linkage_nonzero(LinkageWhy *why, LinkageWide value, const char *group);
+LinkageWide linkage_positive(LinkageWhy *why, LinkageWide value, const char *group, const char *name);
+LinkageWide linkage_not_negative(LinkageWhy *why, LinkageWide value, const char *group, const char *name);
+LinkageWide linkage_square(LinkageWhy *why, LinkageWide value, const char *group);
+LinkageWide linkage_moving(LinkageWhy *why, LinkageWide value, LinkageWide spread, const char *name);
+LinkageWide linkage_closed(LinkageWhy *why, LinkageWide difference, LinkageWide size, const char *unknown);
+LinkageWide linkage_reach_circles(LinkageWhy *why, LinkageWide value, LinkageWide dx, LinkageWide dy, LinkageWide l1, LinkageWide l2, LinkageWide unit, LinkageWide spread, const char *group);
+LinkageWide linkage_share_of_centres(LinkageWhy *why, LinkageWide value, LinkageWide height, LinkageWide dx, LinkageWide dy, LinkageWide l1, LinkageWide l2, LinkageWide spread, const char *group);
+LinkageWide linkage_reach_distances(LinkageWhy *why, LinkageWide value, LinkageWide l, LinkageWide r1, LinkageWide r2, LinkageWide spread, const char *group);
+LinkageWide linkage_square_of_centres(LinkageWhy *why, LinkageWide value, LinkageWide dx, LinkageWide dy, LinkageWide l1, LinkageWide l2, const char *group);
+LinkageWide linkage_reach_line(LinkageWhy *why, LinkageWide value, LinkageWide t, LinkageWide l, const char *group);
+LinkageWide linkage_reach_offset(LinkageWhy *why, LinkageWide value, LinkageWide bx, LinkageWide by, LinkageWide e, const char *group);
 
 /* sqrt(x*x + y*y) without overflow on the way. */
+#ifndef LINKAGE_NO_DOUBLE
 double linkage_hypot(double x, double y);
+#endif
+#ifndef LINKAGE_NO_SINGLE
 float linkage_hypotf(float x, float y);
+#endif
+
+#ifndef LINKAGE_NO_DOUBLE
 
 /* Where a root is looked for, with the trend that f has there, 1 or -1, and from which seed. */
 typedef struct LinkageBetween {
@@ -781,6 +883,8 @@ typedef void (*LinkageSides)(const double *given, double trial, double *sides);
  * one. */
 int linkage_root(LinkageWhy *why, const char *unknown, const LinkageBetween *between, LinkageSides sides, const double *given, double *found);
 
+#endif /* LINKAGE_NO_DOUBLE */
+
 /* Where a root is looked for, with the trend that f has there, 1 or -1, and from which seed. */
 typedef struct LinkageBetweenf {
     float from;
@@ -798,6 +902,8 @@ typedef void (*LinkageSidesf)(const float *given, float trial, float *sides);
  * one. */
 int linkage_rootf(LinkageWhy *why, const char *unknown, const LinkageBetweenf *between, LinkageSidesf sides, const float *given, float *found);
 
+#ifndef LINKAGE_NO_DOUBLE
+
 /* True if the first is less than rounding leaves of the second: what straight-line steps to amounts of friction end
  * with. */
 static inline int linkage_is_settled(double first, double second) { return 4.0 * DBL_EPSILON * second > first; }
@@ -807,6 +913,8 @@ static inline int linkage_is_settled(double first, double second) { return 4.0 *
  * without a branch have found them; the second says why there are none. */
 int linkage_amounts(int count, unsigned guides, const double *rows, const double *start, double *amounts);
 void linkage_friction(LinkageWhy *why, const char *const *joints, int count, unsigned guides, const double *rows, const double *start, double *amounts);
+
+#endif /* LINKAGE_NO_DOUBLE */
 
 /* True if the first is less than rounding leaves of the second: what straight-line steps to amounts of friction end
  * with. */
