@@ -214,6 +214,8 @@ fn arithmetic(sign: &str, a: Value, b: Value) -> Result<Value, Stopped> {
     let value = match (&a, &b) {
         (Value::Lreal(x), Value::Lreal(y)) => Value::Lreal(computed(sign, *x, *y)),
         (Value::Real(x), Value::Real(y)) => Value::Real(computed(sign, *x, *y)),
+        (Value::Lreal(x), _) if zero(&b) => Value::Lreal(computed(sign, *x, 0.0)),
+        (Value::Real(x), _) if zero(&b) => Value::Real(computed(sign, *x, 0.0)),
         (_, Value::Lreal(y)) if zero(&a) => Value::Lreal(computed(sign, 0.0, *y)),
         (_, Value::Real(y)) if zero(&a) => Value::Real(computed(sign, 0.0, *y)),
         _ => panic!("{told}: of two types"),
