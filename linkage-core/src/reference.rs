@@ -55,6 +55,7 @@ pub mod start_in_rust {
 
 pub mod questions {
     //! [How a machine is cut]: super::cut#from-a-machine-to-its-groups
+    //! [Controllers and simulators: In a PLC]: super::control#in-a-plc
     //! [Controllers and simulators: In a simulator]: super::control#in-a-simulator
     //! [Controllers and simulators: Without the standard library]: super::control#without-the-standard-library
     //! [Forces]: super::forces#forces
