@@ -20,6 +20,8 @@ macro_rules! by_kernels {
     };
 }
 
+impl<T: Float> Sealed for AffineForm<T> {}
+
 /// The scalar implementation for one width: the kernels, and `libm` for what no solver computes
 /// unless it was asked for.
 macro_rules! scalar {

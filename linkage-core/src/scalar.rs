@@ -9,7 +9,8 @@ use core::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 use crate::LibraryFunction;
 
-/// What keeps [`Scalar`] and [`Mask`] to this crate. Hidden, and not private: tests compute with numbers of their own.
+/// A supertrait that keeps [`Scalar`] and [`Mask`] to this crate. Hidden, and not private: tests compute with numbers
+/// of their own.
 pub trait Sealed {}
 
 /// Calls a macro with the elementary functions, each before its kernel's name: behind the macro's first tokens

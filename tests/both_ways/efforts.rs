@@ -52,7 +52,7 @@ fn listed<const N: usize>(dynamics: Dynamics<'_, N>, x: &[f64]) -> Option<Vec<f6
     Some([&drives[..], mass.as_flattened()].concat())
 }
 
-/// What three evaluations have found, and what roundings change of it.
+/// Numbers that three evaluations have found, and what roundings change of it.
 struct Known {
     ratios: Vec<f64>,
     ratios_by: Vec<f64>,

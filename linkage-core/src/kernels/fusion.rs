@@ -8,7 +8,7 @@ use core::fmt::Debug;
 use super::native;
 
 /// The choice between a fused and a plain a·b + c: one of [`Fused`] and [`Plain`].
-pub trait Fusion: Copy + Debug + PartialEq + Send + Sync + sealed::Sealed + 'static {
+pub trait Fusion: Copy + Debug + PartialEq + Send + Sync + sealed::SealedFusion + 'static {
     /// True if a·b + c rounds once.
     const FUSED: bool;
 }
@@ -39,8 +39,8 @@ impl Fusion for Native {
 }
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Fused {}
-    impl Sealed for super::Plain {}
-    impl Sealed for super::Native {}
+    pub trait SealedFusion {}
+    impl SealedFusion for super::Fused {}
+    impl SealedFusion for super::Plain {}
+    impl SealedFusion for super::Native {}
 }

@@ -11,7 +11,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::scalar::{Sealed, lit};
+use crate::scalar::lit;
 use crate::{Float, LibraryFunction, Real, Scalar};
 
 /// The numbers within `radius` of `middle` + `slope` s, where s runs from −1 to 1 over a step.
@@ -151,8 +151,6 @@ impl<T: Float> Div for AffineForm<T> {
         Self::rounded(middle, along / other.middle, (rest + bent) / least)
     }
 }
-
-impl<T: Float> Sealed for AffineForm<T> {}
 
 impl<T: Float> Scalar for AffineForm<T> {
     type Mask = bool;

@@ -26,7 +26,7 @@ impl Random {
     }
 }
 
-/// What a block says: its status, what it refuses, and its results.
+/// The answer of a block: its status, what it refuses, and its results.
 #[derive(Clone, Debug)]
 pub(crate) struct Told {
     pub status: i64,

@@ -20,7 +20,7 @@ fn linkage(arguments: &[&str]) -> Output {
         .expect("the program starts")
 }
 
-/// What the example was printed by, each as its head says.
+/// The commands by which the example was printed, each as its head says.
 const EXAMPLES: [[&str; 5]; 2] = [
     ["examples/c_controller/shear.rs", "-o", "examples/plc", "--only", "motion"],
     [

@@ -62,6 +62,18 @@ pub(crate) struct Layout {
 }
 
 impl Quantity {
+    /// All of them.
+    pub(crate) const EVERY: [Self; 8] = [
+        Self::Point,
+        Self::Direction,
+        Self::SlidingDirection,
+        Self::Slide,
+        Self::Value,
+        Self::Force,
+        Self::GuideForce,
+        Self::Shaking,
+    ];
+
     /// The quantity of an output.
     pub(crate) fn of(kind: &OutputKind) -> Self {
         match kind {

@@ -4,7 +4,7 @@
 //! Intervals follow the statements in their order. Where they do not show that an operation stays within its width, its
 //! operands are asked first. A pose that such a question refuses has a number far beyond those of machines.
 
-mod functions;
+mod sizes_of_functions;
 
 use super::interval::Interval;
 use super::room::Room;
@@ -30,14 +30,14 @@ pub(crate) enum SizeCheck {
 
 /// A statement, or a question in front of one.
 #[derive(Clone, Debug)]
-pub(crate) enum Step {
+pub(crate) enum FiniteStep {
     Ask(SizeCheck),
     Do(Instruction),
 }
 
 /// The statements with their questions, and the values that got a name so that they could be asked.
 pub(crate) struct Steps {
-    pub steps: Vec<Step>,
+    pub steps: Vec<FiniteStep>,
     pub named: Set<Id>,
 }
 
@@ -62,7 +62,7 @@ pub(crate) fn steps(
     room: Room,
     known: &[(Id, f64)],
 ) -> Result<Steps, Unbounded> {
-    let mut walk = Walk {
+    let mut walk = SizeWalk {
         graph,
         routine,
         room,
@@ -71,7 +71,7 @@ pub(crate) fn steps(
     };
     for statement in statements {
         walk.statement(statement)?;
-        walk.made.steps.push(Step::Do(statement.clone()));
+        walk.made.steps.push(FiniteStep::Do(statement.clone()));
     }
     for &sink in sinks {
         walk.range(sink)?;
@@ -82,7 +82,7 @@ pub(crate) fn steps(
 /// More than the relative error of any operation in either width.
 const SLACK: f64 = 1e-6;
 
-struct Walk<'a> {
+struct SizeWalk<'a> {
     graph: &'a Graph,
     routine: &'a Routine,
     room: Room,
@@ -91,7 +91,7 @@ struct Walk<'a> {
     made: Steps,
 }
 
-impl Walk<'_> {
+impl SizeWalk<'_> {
     fn statement(&mut self, statement: &Instruction) -> Result<(), Unbounded> {
         match statement {
             Instruction::Let(id) => self.expression(*id),
@@ -199,11 +199,11 @@ impl Walk<'_> {
         for id in asked {
             let id = self.base(id);
             if self.routine.locals.nested.contains(&id) && self.made.named.insert(id) {
-                self.made.steps.push(Step::Do(Instruction::Let(id)));
+                self.made.steps.push(FiniteStep::Do(Instruction::Let(id)));
             }
         }
         self.narrow(check);
-        self.made.steps.push(Step::Ask(check));
+        self.made.steps.push(FiniteStep::Ask(check));
     }
 
     fn narrow(&mut self, check: SizeCheck) {

@@ -1,8 +1,8 @@
-//! What a width of numbers holds, for values that are never to be infinite.
+//! The range that a width of numbers holds, for values that are never to be infinite.
 
 use super::routine::Threshold;
 
-/// What one width of numbers holds.
+/// The range that one width of numbers holds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Room {
     /// The largest magnitude of any value, …

@@ -112,7 +112,7 @@ fn files(texts: Vec<(String, String)>) -> Vec<File> {
     texts.into_iter().map(|(name, text)| File { name, text }).collect()
 }
 
-/// What is made of the routines of a declaration, as far as they are selected.
+/// Texts made of the routines of a declaration, as far as they are selected.
 fn with_lowered<T>(
     source: TokenStream,
     only: &[&str],

@@ -64,7 +64,7 @@ fn plain_header() -> String {
     header + foot + &roots + &friction + end
 }
 
-/// What is in double precision, for targets that have it; what is in single precision decides for both.
+/// Parts in double precision, for targets that have it; what is in single precision decides for both.
 fn where_it_is(width: Width, text: &str) -> String {
     match width {
         Width::Double => format!("\n#ifndef {0}\n{text}\n#endif /* {0} */\n", width.excluded()),

@@ -3,10 +3,10 @@
 
 use std::cell::RefCell;
 
-use super::in_st::{CIRCLE, Declared, GIVEN, InSt, MODE, is_within, unless};
-use super::names::Scope;
+use super::in_st::{BlockVariables, CIRCLE, GIVEN, InSt, MODE, is_within, unless};
+use super::st_names::BlockNames;
 use super::types::comment;
-use super::{In, Printer, Refusal, indented};
+use super::{BlockPrinter, Plc, Refusal, indented};
 use crate::codegen::arguments::Form;
 use crate::codegen::c::c_identifiers::{Width, function};
 use crate::codegen::identifiers::text;
@@ -28,14 +28,14 @@ use crate::model::mechanism::{Param, ParamKind};
 
 /// The pins of a block: their declarations, and the names of those that formulas read.
 struct Pins {
-    scope: Scope,
+    scope: BlockNames,
     answer: String,
     /// The parameters, and the arguments in their order.
     read: Vec<String>,
     declared: String,
 }
 
-impl<'a> In<'a> {
+impl<'a> Plc<'a> {
     pub(super) fn block(self, id: EntryId) -> Result<String, Refusal> {
         let entry = self.interface().entry(id);
         if entry.point.is_about_forces() && !self.mechanism.dynamics.frictions.is_empty() {
@@ -65,7 +65,7 @@ impl<'a> In<'a> {
     }
 
     fn pins(self, entry: &Entry) -> Pins {
-        let mut scope = Scope::default();
+        let mut scope = BlockNames::default();
         let answer = entry.point.answer();
         let [status, refused, answer] = ["status", "refused", answer].map(|name| scope.name(name));
         let mechanism = scope.name("mechanism");
@@ -155,7 +155,7 @@ impl<'a> In<'a> {
         let is_via_angle = formulas.takes_cosine() && !entry.takes_cosine();
         let Pins { scope, answer, mut read, .. } = pins;
         let given = read.clone();
-        let mut declared = Declared { scope, ..Declared::default() };
+        let mut declared = BlockVariables { scope, ..BlockVariables::default() };
         let turned =
             formulas.takes_cosine().then(|| ["a_cosine", "a_sine"].map(|name| declared.real(name)));
         if let Some(turned) = &turned {
@@ -169,7 +169,7 @@ impl<'a> In<'a> {
         let mut lines = Text::long();
         let declared = RefCell::new(declared);
         let dialect = InSt { to: self, given: &formulas.given, pins: &read, used: &used, declared };
-        let block = Block {
+        let block = FunctionBlock {
             to: self,
             given: &formulas.given,
             read: &read,
@@ -184,7 +184,7 @@ impl<'a> In<'a> {
         let made = steps(graph, routine, &statements, sinks, self.room(), &known);
         let made = made.map_err(|of| self.refusal(of))?;
         let routine = named(routine, &made.named);
-        let printer = Printer { lowered: self.lowered, routine: &routine, dialect };
+        let printer = BlockPrinter { lowered: self.lowered, routine: &routine, dialect };
         printer.steps(&made.steps, &mut lines);
         let places = self.components(entry.result, &answer);
         for (place, &sink) in places.iter().zip(sinks) {
@@ -193,7 +193,7 @@ impl<'a> In<'a> {
         }
         let modes = self.modes(&printer.dialect, &read[0]);
         let body = in_body(&format!("{modes}{}", lines.as_str()), &places);
-        let Declared { reals, bools, constants, .. } = printer.dialect.declared.into_inner();
+        let BlockVariables { reals, bools, constants, .. } = printer.dialect.declared.into_inner();
         let real = self.real();
         let constants =
             constants.iter().map(|(digits, name)| format!("    {name} : {real} := {digits};\n"));
@@ -264,8 +264,8 @@ fn named(routine: &Routine, values: &Set<Id>) -> Routine {
 }
 
 /// The questions about what a block is given.
-struct Block<'a> {
-    to: In<'a>,
+struct FunctionBlock<'a> {
+    to: Plc<'a>,
     given: &'a [ArgumentKind],
     read: &'a [String],
     asked: &'a FinitenessChecks,
@@ -273,7 +273,7 @@ struct Block<'a> {
     angle: Option<&'a str>,
 }
 
-impl Block<'_> {
+impl FunctionBlock<'_> {
     /// The cosine and the sine that formulas take: of the angle, or of those that are given.
     fn turn(&self, dialect: &InSt<'_>, pins: &[String], turned: &[String; 2], to: &mut Text) {
         let ([cosine, sine], input) = (turned, text(&self.to.mechanism.inputs[0].name));

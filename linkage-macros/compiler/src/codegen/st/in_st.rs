@@ -6,8 +6,8 @@
 
 use std::cell::RefCell;
 
-use super::In;
-use super::names::{Scope, quoted};
+use super::Plc;
+use super::st_names::{BlockNames, quoted};
 use crate::codegen::c::c_identifiers::Width;
 use crate::codegen::printer::{Dialect, Operation, Printer};
 use crate::codegen::text::Text;
@@ -15,7 +15,7 @@ use crate::function::Function;
 use crate::interface::entries::ArgumentKind;
 use crate::ir::check::Comparison;
 use crate::ir::graph::{Id, Node};
-use crate::lower::always_finite::{SizeCheck, Step};
+use crate::lower::always_finite::{FiniteStep, SizeCheck};
 use crate::lower::routine::{Condition, Instruction, Solving, Threshold, is_leaf, label};
 use crate::lower::used::Used;
 
@@ -25,23 +25,23 @@ pub(super) const MODE: i32 = -2;
 pub(super) const SIZE: i32 = -3;
 pub(super) const CIRCLE: i32 = -4;
 
-/// What a status is called where a value on the way is too large.
+/// The status where a value on the way is too large.
 const ON_THE_WAY: &str = "a value on the way";
 
 /// Structured text of one width.
 pub(super) struct InSt<'a> {
-    pub to: In<'a>,
+    pub to: Plc<'a>,
     pub given: &'a [ArgumentKind],
     /// The names of the pins that leaves are read from, and that of the parameters.
     pub pins: &'a [String],
     pub used: &'a Used,
-    pub declared: RefCell<Declared>,
+    pub declared: RefCell<BlockVariables>,
 }
 
 /// The variables and constants that are written into statements, and have to be declared.
 #[derive(Default)]
-pub(super) struct Declared {
-    pub scope: Scope,
+pub(super) struct BlockVariables {
+    pub scope: BlockNames,
     /// By the name of the local.
     pub reals: Vec<(String, String)>,
     pub bools: Vec<String>,
@@ -49,7 +49,7 @@ pub(super) struct Declared {
     pub constants: Vec<(String, String)>,
 }
 
-impl Declared {
+impl BlockVariables {
     /// A variable of this purpose.
     pub(super) fn real(&mut self, local: &str) -> String {
         if let Some((_, name)) = self.reals.iter().find(|(known, _)| known == local) {
@@ -302,15 +302,15 @@ impl InSt<'_> {
 
 impl Printer<'_, InSt<'_>> {
     /// Statements, and the questions in front of them: those about values that have no name of the user's in one.
-    pub(super) fn steps(&self, steps: &[Step], to: &mut Text) {
+    pub(super) fn steps(&self, steps: &[FiniteStep], to: &mut Text) {
         let mut questions: Vec<String> = Vec::new();
         for step in steps {
             match step {
-                Step::Ask(check) => match self.of_a_leaf(*check) {
+                FiniteStep::Ask(check) => match self.of_a_leaf(*check) {
                     Some(name) => unless(&self.question(*check), (GIVEN, &name), to),
                     None => questions.push(self.question(*check)),
                 },
-                Step::Do(statement) => {
+                FiniteStep::Do(statement) => {
                     self.all(&mut questions, to);
                     self.statements(std::slice::from_ref(statement), to);
                 }
@@ -361,7 +361,7 @@ impl Printer<'_, InSt<'_>> {
     }
 }
 
-impl In<'_> {
+impl Plc<'_> {
     /// The digits of a number of this width, with a point.
     pub(super) fn digits(&self, wide: f64, narrow: f32) -> String {
         let digits = match self.width {

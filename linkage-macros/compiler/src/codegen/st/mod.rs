@@ -7,14 +7,14 @@
 
 mod block;
 mod in_st;
-mod names;
-mod run_time;
+mod st_names;
+mod st_run_time;
 mod types;
 
 use std::collections::HashMap;
 
 use self::in_st::InSt;
-use self::names::Scope;
+use self::st_names::BlockNames;
 use super::arguments::Signatures;
 use super::c::c_identifiers::{Width, file_stem, function};
 use super::c::provenance::{Provenance, VERSION};
@@ -47,7 +47,7 @@ pub(crate) fn generate(
     let globals = Globals::of(mechanism, &lowered.interface, selection);
     let mut source = String::new();
     for &width in &selection.widths {
-        let to = In {
+        let to = Plc {
             mechanism,
             lowered,
             signatures: &signatures,
@@ -62,9 +62,9 @@ pub(crate) fn generate(
     }
     let source = head(lowered, provenance, by_controller, &source) + &source;
     let prefix = &provenance.prefix;
-    let run_time = ("linkage_run.st", run_time::source());
-    let own = (format!("{stem}.st"), run_time::renamed(&source, prefix));
-    Ok(vec![own, (prefix.in_front_of(run_time.0), run_time::renamed(&run_time.1, prefix))])
+    let run_time = ("linkage_run.st", st_run_time::source());
+    let own = (format!("{stem}.st"), st_run_time::renamed(&source, prefix));
+    Ok(vec![own, (prefix.in_front_of(run_time.0), st_run_time::renamed(&run_time.1, prefix))])
 }
 
 /// The names of a mechanism's types and blocks, of which no two are one.
@@ -72,7 +72,7 @@ struct Globals(HashMap<String, String>);
 
 impl Globals {
     fn of(mechanism: &Mechanism, interface: &Interface, selection: &Selection) -> Self {
-        let mut scope = Scope::default();
+        let mut scope = BlockNames::default();
         let mut names = HashMap::new();
         for &width in &selection.widths {
             let types = interface.records.iter().map(|record| text(&record.name));
@@ -94,7 +94,7 @@ impl Globals {
 
 /// The printer of numbers of one width.
 #[derive(Clone, Copy)]
-struct In<'a> {
+struct Plc<'a> {
     mechanism: &'a Mechanism,
     lowered: &'a Lowered<'a>,
     signatures: &'a Signatures<'a>,
@@ -104,7 +104,7 @@ struct In<'a> {
     by_controller: bool,
 }
 
-impl<'a> In<'a> {
+impl<'a> Plc<'a> {
     fn interface(self) -> &'a Interface {
         &self.lowered.interface
     }
@@ -159,7 +159,7 @@ impl<'a> In<'a> {
         let params: Vec<String> =
             self.mechanism.params.iter().map(|param| text(&param.name)).collect();
         let at = params.iter().position(|param| param == name).expect("it is a parameter");
-        Scope::default().names(params).swap_remove(at)
+        BlockNames::default().names(params).swap_remove(at)
     }
 
     fn refusal(self, of: Unbounded) -> Refusal {
@@ -241,4 +241,4 @@ fn indented(lines: &str) -> String {
 }
 
 /// A printer of structured text.
-type Printer<'p> = super::printer::Printer<'p, InSt<'p>>;
+type BlockPrinter<'p> = super::printer::Printer<'p, InSt<'p>>;

@@ -2,8 +2,8 @@
 
 use proc_macro2::Ident;
 
-use super::In;
-use super::names::Scope;
+use super::Plc;
+use super::st_names::BlockNames;
 use crate::codegen::c::header::about_field;
 use crate::codegen::identifiers::text;
 use crate::interface::components::Component;
@@ -32,10 +32,10 @@ pub(super) fn comment(text: &str) -> String {
 pub(super) fn field<'n>(all: impl Iterator<Item = &'n Ident>, name: &Ident) -> String {
     let all: Vec<String> = all.map(text).collect();
     let at = all.iter().position(|of| *of == text(name)).expect("a record has its fields");
-    Scope::default().names(all).swap_remove(at)
+    BlockNames::default().names(all).swap_remove(at)
 }
 
-impl In<'_> {
+impl Plc<'_> {
     /// The types of one width.
     pub(super) fn types(self, to: &mut String) {
         if self.has_params() {
@@ -63,7 +63,7 @@ impl In<'_> {
 
     fn parameters(self, to: &mut String) {
         let names = self.mechanism.params.iter().map(|param| text(&param.name));
-        let names = Scope::default().names(names);
+        let names = BlockNames::default().names(names);
         let fields =
             self.mechanism.params.iter().zip(names).map(|(param, name)| match &param.kind {
                 ParamKind::Number { dimension, default, .. } => {
@@ -84,7 +84,8 @@ impl In<'_> {
     fn record(self, record: &Record, to: &mut String) {
         let words = record.kind.in_words(self.mechanism).in_c;
         let about = words.replace('@', &self.mechanism.name.to_string());
-        let names = Scope::default().names(record.fields.iter().map(|field| text(&field.name)));
+        let names =
+            BlockNames::default().names(record.fields.iter().map(|field| text(&field.name)));
         let fields = record.fields.iter().zip(names).map(|(field, name)| {
             (name, self.type_of(field.shape), about_field(self.mechanism, field.subject))
         });
@@ -132,7 +133,7 @@ impl In<'_> {
                 self.component(own.shape, rest, format!("{so_far}.{name}"))
             }
             ([Component::Field(name), rest @ ..], _) => {
-                let name = Scope::default().name(name);
+                let name = BlockNames::default().name(name);
                 self.component(shape, rest, format!("{so_far}.{name}"))
             }
         }

@@ -181,7 +181,7 @@ fn a_build_without_double_refuses_alike_in_millions_of_calls() {
     }
 }
 
-/// What a compiler calls where it has no instruction for numbers of 64 bits: of the ARM's interface, and of its own.
+/// Functions that a compiler calls where it has no instruction for numbers of 64 bits: of the ARM's interface, and of its own.
 fn is_of_double(symbol: &str) -> bool {
     const ENDS: [&str; 7] = ["df2", "df3", "sidf", "didf", "sfdf2", "dfsi", "dfdi"];
     let own = symbol.strip_prefix("__aeabi_");

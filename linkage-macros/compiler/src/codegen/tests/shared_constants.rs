@@ -147,7 +147,7 @@ fn of_kernels() -> Vec<Place> {
     places
 }
 
-/// What stands before the difference that an equation may leave, without `double` and with it.
+/// The words before the difference that an equation may leave, without `double` and with it.
 const PERMITTED: &str = "float size)\n{\n    (void)why;\n    return ";
 const WIDELY: &str = "    return why->is_single ? (double)(";
 

@@ -20,7 +20,7 @@ use crate::model::references::{expressions, names_used};
 use crate::model::statements::declared_by;
 use crate::model::{Scope, begun, expressions, numbers, order, statement_walk, units};
 
-/// What the numbers of a drawing are.
+/// The values of the numbers of a drawing.
 pub(in crate::model::drawn) struct Measured<'d> {
     pub scope: Scope<'d>,
     pub pen: Pen,

@@ -27,12 +27,12 @@ fn is_reserved(name: &str) -> bool {
 
 /// The names of one scope.
 #[derive(Clone, Default)]
-pub(super) struct Scope {
+pub(super) struct BlockNames {
     /// In capitals.
     taken: HashSet<String>,
 }
 
-impl Scope {
+impl BlockNames {
     /// A name of its own for this one, and the nearest to it.
     pub(super) fn name(&mut self, wanted: &str) -> String {
         let mut name = plain(wanted);
@@ -108,14 +108,14 @@ mod tests {
             ("θ", "u03b8"),
             ("v_if", "v_if"),
         ] {
-            assert_eq!(Scope::default().name(name), other, "{name}");
+            assert_eq!(BlockNames::default().name(name), other, "{name}");
         }
     }
 
     #[test]
     fn names_that_differ_by_case_or_underscores_alone_are_made_different() {
-        let names =
-            Scope::default().names(["blade", "Blade", "BLADE", "blade_", "v_blade", "if", "v_if"]);
+        let names = BlockNames::default()
+            .names(["blade", "Blade", "BLADE", "blade_", "v_blade", "if", "v_if"]);
         let other =
             ["blade", "v_Blade", "v_v_BLADE", "v_v_v_blade", "v_v_v_v_blade", "v_if", "v_v_if"];
         assert_eq!(names, other);

@@ -1,11 +1,11 @@
 //! The questions in front of functions: their arguments are within their domains, and their values within the width.
 
-use super::{SLACK, SizeCheck, Unbounded, Walk};
+use super::{SLACK, SizeCheck, SizeWalk, Unbounded};
 use crate::function::Function;
 use crate::ir::graph::Id;
 use crate::lower::interval::Interval;
 
-impl Walk<'_> {
+impl SizeWalk<'_> {
     pub(super) fn function(&mut self, function: Function, a: Id) -> Result<Interval, Unbounded> {
         let x = self.range(a)?;
         let largest = function.largest();

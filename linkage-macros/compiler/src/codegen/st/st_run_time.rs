@@ -1,10 +1,10 @@
-//! What the blocks of all mechanisms share: the types of results, and the functions of their formulas.
+//! The parts that the blocks of all mechanisms share: the types of results, and the functions of their formulas.
 //!
 //! A text is written once and printed for both types of numbers. Its constants are those of C.
 
 use std::collections::BTreeMap;
 
-use super::names::Scope;
+use super::st_names::BlockNames;
 use super::types::comment;
 use crate::codegen::c::c_identifiers::Width;
 use crate::codegen::c::provenance::{Prefix, VERSION};
@@ -40,18 +40,8 @@ fn real(width: Width) -> &'static str {
 
 /// The records of results, each once.
 fn types(width: Width) -> String {
-    const ALL: [Quantity; 8] = [
-        Quantity::Point,
-        Quantity::Direction,
-        Quantity::SlidingDirection,
-        Quantity::Slide,
-        Quantity::Value,
-        Quantity::Force,
-        Quantity::GuideForce,
-        Quantity::Shaking,
-    ];
     let mut records = BTreeMap::new();
-    for layout in ALL.iter().flat_map(|of| Order::ALL.map(|order| of.layout(order))) {
+    for layout in Quantity::EVERY.iter().flat_map(|of| Order::ALL.map(|order| of.layout(order))) {
         if let Some(record) = layout.record {
             records.entry(record).or_insert(layout);
         }
@@ -60,7 +50,7 @@ fn types(width: Width) -> String {
     for (record, layout) in records {
         let name = width.shared_type_name(record);
         text += &format!("\n{}\nTYPE {name} :\nSTRUCT\n", comment(layout.words));
-        let fields = Scope::default().names(layout.parts.iter().map(|part| part.field));
+        let fields = BlockNames::default().names(layout.parts.iter().map(|part| part.field));
         for field in fields {
             text += &format!("    {field} : {};\n", real(width));
         }
