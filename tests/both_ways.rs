@@ -114,14 +114,21 @@ fn all_pairs(poses: usize) -> Vec<(&'static str, Tally)> {
     }
 }
 
-/// Pairs of which more than one pose in a thousand is off by more than eight roundings times the condition of the way
-/// back: near a fold of the rhombus, and next to a toggle.
-const WORSE: [&str; 2] = ["PantographArms -> PantographStylus", "ScissorArm -> ScissorDeck"];
+/// Pairs whose worst pose lies next to a fold of the rhombus, or to a toggle: there the ratios themselves change within
+/// the error of an input, so that a condition of first order says too little. With them, what the worst of a hundred
+/// thousand poses was: over the condition of the way back, and over that of both ways.
+const WORSE: [(&str, [f64; 2]); 4] = [
+    ("FiveBarMotors -> FiveBarHand", [24.0, 16.0]),
+    ("PantographArms -> PantographStylus", [920.0, 16.0]),
+    ("PantographArms -> PantographCopy", [920.0, 16.0]),
+    ("ScissorArm -> ScissorDeck", [870.0, 440.0]),
+];
 
 #[test]
 fn no_pose_comes_back_elsewhere() {
     let poses = cases(1_000, 100_000);
     let (mut blind, mut most, mut all) = (0, 0, 0);
+    let mut wrong = Vec::new();
     for (pair, tally) in all_pairs(poses) {
         let Tally { back, other, refused, one_way, torn, elsewhere_by_position, errors, .. } =
             &tally;
@@ -135,17 +142,25 @@ fn no_pose_comes_back_elsewhere() {
             at(1.0),
             tally.worst_of_both
         );
-        assert_eq!(*torn, 0, "{pair}");
+        // One pose in a thousand may be off by more than eight; of those that are named, three.
+        let (limits, more) = match WORSE.iter().find(|(name, _)| *name == pair) {
+            Some((_, limits)) => (*limits, 3),
+            None => ([16.0; 2], 1),
+        };
         // Each way has the pose or says why; fewer poses would try little.
-        assert!(back * 10 > poses, "{pair}: {back}");
-        assert!(tally.worst_of_both <= 16.0, "{pair}: {} ε", tally.worst_of_both);
-        if !WORSE.contains(&pair) {
-            assert!(above * 1000 <= errors.len().max(1000), "{pair}: {above} above 8 ε");
+        let few = *torn > 0 || back * 10 <= poses;
+        if few
+            || above * 1000 > more * errors.len().max(1000)
+            || at(1.0) > limits[0]
+            || tally.worst_of_both > limits[1]
+        {
+            wrong.push(pair);
         }
         (blind, all) = (blind + elsewhere_by_position, all + back + other);
         most = most.max(*elsewhere_by_position);
     }
     println!("by position alone {blind} of {all} come back elsewhere, {most} of one pair");
+    assert!(wrong.is_empty(), "{wrong:?}");
     // The control: what the sides tell is there to be told.
     assert!(most * 4 >= poses, "{most}");
 }

@@ -89,7 +89,7 @@ impl Known {
             if bounds[i] <= 10.0 * products[i] {
                 found.of_products.push(error / (f64::EPSILON * products[i]));
             }
-            for k in 0..N {
+            for (k, &carried) in inertia[i].iter().enumerate() {
                 let mut bound = self.own_by[N + i * N + k];
                 for (j, l) in (0..N).flat_map(|j| (0..N).map(move |l| (j, l))) {
                     let ([left, left_by], [right, right_by]) = (ratio(j, i), ratio(l, k));
@@ -98,7 +98,7 @@ impl Known {
                     bound +=
                         left * right * (value + by) + value * (left_by * right + left * right_by);
                 }
-                let error = (inertia[i][k] - self.own[N + i * N + k]).abs();
+                let error = (carried - self.own[N + i * N + k]).abs();
                 found.of[1].push(error / (f64::EPSILON * bound));
             }
         }
