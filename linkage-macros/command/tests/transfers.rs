@@ -164,7 +164,7 @@ fn in_c(program: &Path, name: &str, given: Vec<u8>) -> Vec<f64> {
 /// Refusals other than that of another assembly have one code here.
 fn compared(name: &str, rust: &[f64], c: &[f64]) {
     assert_eq!(rust.len(), c.len(), "{name}");
-    let is_refusal = |x: f64| x >= 1.0 && x < 11.0 && x.fract() == 0.0;
+    let is_refusal = |x: f64| (1.0..11.0).contains(&x) && x.fract() == 0.0;
     for (at, (rust, c)) in rust.iter().zip(c).enumerate() {
         let is_same = rust.to_bits() == c.to_bits() || *rust == 1.0 && is_refusal(*c);
         assert!(is_same, "{name}: number {at} is {rust} in Rust and {c} in C");
