@@ -193,7 +193,7 @@ impl<T: Real> Search<T> {
             .and_then(|seed| f.newton(seed, approach, approach.to - approach.from, None))
         {
             Some(at) => at,
-            None => self.bracketed(&mut f, approach, |_| self.slack)?,
+            None => self.bracketed(&mut f, approach, false, |_| self.slack)?,
         };
         f.differentiated(at)
     }

@@ -2,7 +2,7 @@
  * without rounding, and reasons. linkage_run.h says whose text this is. */
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0x3d656d36u
+#if LINKAGE_RUN_TIME != 0xfeed0290u
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 
@@ -1071,7 +1071,8 @@ LinkageWide linkage_square_of_centres(LinkageWhy *why, LinkageWide value, Linkag
     LinkageWide by = 0;
     Circles c;
     Reach reach;
-    if (why->status != LINKAGE_OK) {
+    /* Whether circles about centres that far apart meet is told by linkage_reach_circles. */
+    if (why->status != LINKAGE_OK || (is_finite(value) && is_full_square(why, value))) {
         return value;
     }
     reach = circles(why, dx, dy, l1, l2, &c, &by);

@@ -10,7 +10,7 @@
 #define LINKAGE_RUN_H
 
 /* A hash of the whole run-time: sources that were printed with another one do not compile with it. */
-#define LINKAGE_RUN_TIME 0x3d656d36u
+#define LINKAGE_RUN_TIME 0xfeed0290u
 
 #include <float.h>
 #include <math.h>
@@ -874,6 +874,7 @@ typedef struct LinkageBetween {
     double seed;
     int has_seed;
     int is_turn; /* true for an angle whose ends, a turn apart at most, are known here alone */
+    int is_steady; /* true if the slope is proved to have one sign between the ends */
 } LinkageBetween;
 
 /* The sides of an equation at a trial, and the slope of their difference. */
@@ -893,6 +894,7 @@ typedef struct LinkageBetweenf {
     float seed;
     int has_seed;
     int is_turn; /* true for an angle whose ends, a turn apart at most, are known here alone */
+    int is_steady; /* true if the slope is proved to have one sign between the ends */
 } LinkageBetweenf;
 
 /* The sides of an equation at a trial, and the slope of their difference. */

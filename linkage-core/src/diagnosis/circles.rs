@@ -148,11 +148,16 @@ impl<T: Scalar> Diagnosis<T> for SquareOfCentres<T> {
         T: Real,
     {
         let Self([dx, dy, l1, l2], group) = self;
+        let refused = match Square(group).diagnose(value) {
+            // [`ReachCircles`] tells whether the circles meet.
+            Ok(value) => return Ok(value),
+            Err(refused) => refused,
+        };
         let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
         match limit::circles(d, lengths, width::<T>()) {
             Reach::Beyond(by) => Err(SolveError::OutOfReach { group, by }),
             Reach::Coincident => Err(SolveError::Singular { group }),
-            Reach::Meets | Reach::AtLimit | Reach::NotFinite => Square(group).diagnose(value),
+            Reach::Meets | Reach::AtLimit | Reach::NotFinite => Err(refused),
         }
     }
 }

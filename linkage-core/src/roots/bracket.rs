@@ -9,11 +9,12 @@ use crate::kernels::sqrt;
 
 impl<T: Real> Search<T> {
     /// The root from both ends. The distance by which f may miss zero at an end follows from its values
-    /// there.
+    /// there. Where f `is_steady`, its slope is proved to have one sign between the ends.
     pub(super) fn bracketed<F: FnMut(T) -> [T; 2]>(
         &self,
         f: &mut Equation<T, F>,
         approach: Approach<T>,
+        is_steady: bool,
         slack: impl FnOnce([T; 2]) -> T,
     ) -> Result<T, FindError> {
         let zero = number::<T>(0.0);
@@ -43,6 +44,9 @@ impl<T: Real> Search<T> {
         if is_met(nearer) {
             return Ok(nearer.x);
         }
+        if is_steady && rises_without_a_root(ends) {
+            return Err(without_root(nearer, None));
+        }
         match survey(f, [ends[0], a, b, ends[1]], most)? {
             Course::Rises(ends) => f.root(ends, approach),
             Course::Zero(at) => Ok(at.x),
@@ -61,11 +65,26 @@ impl<T: Real> Search<T> {
                     }
                     None => None,
                 };
-                let by = magnitude(nearest.value).value();
-                Err(FindError::NoSolution { at: nearest.x.value(), by, other })
+                Err(without_root(nearest, other))
             }
         }
     }
+}
+
+/// The refusal where f comes nearest to a root here, and passes zero the other way there.
+fn without_root<T: Real>(nearest: At<T>, other: Option<Crossing>) -> FindError {
+    let by = magnitude(nearest.value).value();
+    FindError::NoSolution { at: nearest.x.value(), by, other }
+}
+
+/// True if a function whose slope keeps its sign between these ends, but for a dead point next to one of them, rises on
+/// one side of zero: a survey would find neither a root nor a dead point that comes nearer to one. Where it is above zero
+/// it may fall next to the upper end, where it is below zero next to the lower one.
+fn rises_without_a_root<T: Real>([a, b]: [At<T>; 2]) -> bool {
+    let zero = number::<T>(0.0);
+    let is_above = a.value.gt(zero) && a.slope.ge(zero);
+    let is_below = zero.gt(b.value) && b.slope.ge(zero);
+    b.value.gt(a.value) && (is_above || is_below)
 }
 
 /// The steepest slope of an end that may be a dead point, of which neither the place nor the value is

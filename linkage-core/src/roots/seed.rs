@@ -14,7 +14,7 @@ use core::cell::Cell;
 
 use super::approach::{Approach, constant, greater, magnitude, number};
 use super::equation::Equation;
-use super::unknown::root;
+use super::unknown::root_of;
 use super::{FindError, Trend};
 use crate::Real;
 use crate::kernels::sqrt;
@@ -76,8 +76,8 @@ pub struct Apart<T> {
     pub given: T,
     /// True if that side is the right one.
     pub is_right: bool,
-    /// True if the slope is proved to have the trend's sign over the whole interval except its ends: then
-    /// there is one root.
+    /// True if the slope is proved to have one sign over the whole interval except its ends: then there is one root at
+    /// most, and none where both ends lie on one side of zero.
     pub has_one_root: bool,
 }
 
@@ -93,11 +93,11 @@ impl<T: Real> Apart<T> {
     }
 }
 
-/// [`root`] of an equation that stands apart, by the seed that the pose before has left. Parameters are
+/// [`root`](super::unknown::root) of an equation that stands apart, by the seed that the pose before has left. Parameters are
 /// those of the pose before; between them only inputs change.
 ///
 /// # Errors
-/// Those of [`root`].
+/// Those of [`root`](super::unknown::root).
 pub fn root_by_seed<T: Real>(
     between: [T; 2],
     trend: Trend,
@@ -107,7 +107,8 @@ pub fn root_by_seed<T: Real>(
     mut sides: impl FnMut(T) -> [T; 3],
 ) -> Result<[T; 2], FindError> {
     let seed = seed.filter(|_| T::ORDER == 0);
-    let Some(seed) = seed else { return root(between, trend, None, plain, sides) };
+    let from_both_ends = (None, apart.has_one_root);
+    let Some(seed) = seed else { return root_of(between, trend, from_both_ends, plain, sides) };
     let last = Cell::new(None);
     let mut sides = |x| {
         let met = sides(x);
@@ -117,7 +118,7 @@ pub fn root_by_seed<T: Real>(
     };
     let found = match followed(seed, between, trend, apart, &mut sides) {
         Some(found) => Ok(found),
-        None => root(between, trend, None, plain, |x| {
+        None => root_of(between, trend, from_both_ends, plain, |x| {
             let mut ends = between.iter().zip(&mut seed.ends);
             let Some((_, known)) = ends.find(|(end, _)| end.value() == x.value()) else {
                 return sides(x);

@@ -1,5 +1,6 @@
 //! The bound on functions made to break it, and what the public search refuses.
 
+mod refused;
 mod seeded;
 mod several;
 

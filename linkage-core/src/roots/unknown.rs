@@ -27,10 +27,21 @@ pub fn root<T: Real>(
     trend: Trend,
     near: Option<T>,
     plain: impl FnOnce() -> Result<[T::Plain; 2], FindError>,
+    sides: impl FnMut(T) -> [T; 3],
+) -> Result<[T; 2], FindError> {
+    root_of(between, trend, (near, false), plain, sides)
+}
+
+/// [`root`], from a seed if there is one, of an equation whose slope may be proved to have one sign between the ends.
+pub(super) fn root_of<T: Real>(
+    between: [T; 2],
+    trend: Trend,
+    (near, is_steady): (Option<T>, bool),
+    plain: impl FnOnce() -> Result<[T::Plain; 2], FindError>,
     mut sides: impl FnMut(T) -> [T; 3],
 ) -> Result<[T; 2], FindError> {
     if T::ORDER == 0 {
-        return searched(between, trend, near, sides);
+        return searched(between, trend, (near, is_steady), sides);
     }
     let [at, size] = plain()?.map(|found| number::<T>(found.value()));
     let last = Cell::new(number::<T>(0.0));
@@ -77,7 +88,7 @@ pub fn root_within_a_turn<T: Real>(
 fn searched<T: Real>(
     between: [T; 2],
     trend: Trend,
-    near: Option<T>,
+    (near, is_steady): (Option<T>, bool),
     mut sides: impl FnMut(T) -> [T; 3],
 ) -> Result<[T; 2], FindError> {
     let Some(approach) = Approach::new(between) else {
@@ -104,7 +115,7 @@ fn searched<T: Real>(
             change.set(last);
             at
         }
-        None => Search::new(between, trend).bracketed(&mut f, approach, |[a, b]| {
+        None => Search::new(between, trend).bracketed(&mut f, approach, is_steady, |[a, b]| {
             let met = greater(greater(magnitude(a), magnitude(b)), extent.get());
             met * number(SLACK * T::EPSILON)
         })?,
@@ -133,7 +144,7 @@ mod tests {
     }
 
     fn of_ram(target: f64, near: Option<f64>) -> Result<[f64; 2], FindError> {
-        searched(HALF_TURN, Trend::Falling, near, |theta| ram(theta, target))
+        searched(HALF_TURN, Trend::Falling, (near, false), |theta| ram(theta, target))
     }
 
     #[test]
@@ -165,7 +176,7 @@ mod tests {
         // Sides that are zero where the seed is: the lower end tells their size.
         let line = |x: f64| [x - 1.0, 0.0, 1.0];
         let [at, size] =
-            searched([0.0, 3.0], Trend::Rising, Some(1.0), line).expect("it is the root");
+            searched([0.0, 3.0], Trend::Rising, (Some(1.0), false), line).expect("it is the root");
         assert!(at == 1.0 && size == 4.0, "{at} {size}");
     }
 
@@ -173,7 +184,7 @@ mod tests {
     #[test]
     fn sides_too_large_to_add_do_not_count() {
         let sides = |x: f64| [1.2e308 * x, 0.6e308, 1e300];
-        let [at, size] = searched([0.0, 1.0], Trend::Rising, None, sides).expect("a root");
+        let [at, size] = searched([0.0, 1.0], Trend::Rising, (None, false), sides).expect("a root");
         assert!((at - 0.5).abs() < 1e-15 && size.is_finite() && size >= 1.2e308, "{at} {size}");
     }
 
@@ -189,7 +200,8 @@ mod tests {
             [crank * cos + along, target, -across - across * crank * cos / along]
         };
         let [theta, _] =
-            searched([0.0, core::f32::consts::PI], Trend::Falling, None, sides).expect("a root");
+            searched([0.0, core::f32::consts::PI], Trend::Falling, (None, false), sides)
+                .expect("a root");
         // In f64 it is 1.2175330182.
         assert!((theta - 1.217_533).abs() < 1e-6, "{theta}");
     }
@@ -197,9 +209,9 @@ mod tests {
     #[test]
     fn what_is_no_number_is_where_it_was_met() {
         let sides = |x| [if x > 1.0 { f64::NAN } else { x }, 0.5, -1.0];
-        let found = searched(HALF_TURN, Trend::Falling, None, sides);
+        let found = searched(HALF_TURN, Trend::Falling, (None, false), sides);
         assert_eq!(found, Err(FindError::NotFinite { at: HALF_TURN[1] }));
-        let reversed = searched([1.0, 0.0], Trend::Falling, None, sides);
+        let reversed = searched([1.0, 0.0], Trend::Falling, (None, false), sides);
         assert_eq!(reversed, Err(FindError::Interval { from: 1.0, to: 0.0 }));
     }
 

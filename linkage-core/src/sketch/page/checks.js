@@ -127,7 +127,8 @@ class FirstError {
 
   /// The same of the distance of circles' centres.
   SquareOfCentres(value, dx, dy, l1, l2, group) {
-    if (this.error) return value;
+    // `ReachCircles` tells whether circles about centres that far apart meet.
+    if (this.error || (isFinite(value) && value >= SMALLEST_SQUARE)) return value;
     const reach = reachOfCircles(dx, dy, l1, l2);
     if (typeof reach === "number") this.refuse("OutOfReach", group, { by: reach });
     else if (reach === COINCIDENT) this.refuse("Singular", group);

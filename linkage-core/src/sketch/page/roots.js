@@ -187,8 +187,13 @@ class Equation {
   }
 }
 
-/// The root from both ends. `slackOf` is told the values there, and says by how much one may miss zero.
-const bracketed = (f, interval, slackOf) => {
+/// True if a function whose slope keeps its sign rises between these ends on one side of zero.
+const risesWithoutARoot = ([a, b]) =>
+  b.value > a.value && ((a.value > 0 && a.slope >= 0) || (0 > b.value && b.slope >= 0));
+
+/// The root from both ends. `slackOf` is told the values there, and says by how much one may miss zero. The slope of
+/// what `isSteady` is proved to have one sign.
+const bracketed = (f, interval, isSteady, slackOf) => {
   const ends = [f.at(interval.from), f.at(interval.to)], slack = slackOf(ends.map(({ value }) => value));
   let [a, b] = ends, most = MOST_OF_A_SEARCH - 2;
   const move = (end) => {
@@ -207,6 +212,7 @@ const bracketed = (f, interval, slackOf) => {
   const nearer = !low || (high && a.value > -b.value) ? b : a;
   const isMet = (at) => slack >= magnitude(at.value) && !falls(at);
   if (isMet(nearer)) return nearer.x;
+  if (isSteady && risesWithoutARoot(ends)) throw { kind: "NoSolution", by: magnitude(nearer.value), other: null };
   const course = courseOf(f, [ends[0], a, b, ends[1]], most);
   if (course.rises) return f.root(course.rises, interval);
   if (course.zero) return course.zero.x;
@@ -220,8 +226,8 @@ const bracketed = (f, interval, slackOf) => {
 };
 
 /// The root of an equation of the wanted trend, +1 or −1, from a seed if there is one, and the size that its
-/// rounding is measured by. `sides` gives left, right and the slope of left − right.
-const searched = (between, trend, near, sides) => {
+/// rounding is measured by. `sides` gives left, right and the slope of left − right, which may be proved to have one sign.
+const searched = (between, trend, near, sides, isSteady = false) => {
   const interval = intervalOf(between);
   if (!interval) throw { kind: "Interval", isOrdered: between[1] > between[0] };
   let [extent, change] = [0, 0];
@@ -237,7 +243,7 @@ const searched = (between, trend, near, sides) => {
     if (last > extent) f.at(interval.from);
     change = last;
   } else {
-    at = bracketed(f, interval, ([a, b]) => greater(greater(magnitude(a), magnitude(b)), extent) * SLACK);
+    at = bracketed(f, interval, isSteady, ([a, b]) => greater(greater(magnitude(a), magnitude(b)), extent) * SLACK);
   }
   if (!isFinite(at)) throw { kind: "Singular" };
   return [at, extent + change];

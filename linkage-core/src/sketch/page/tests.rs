@@ -19,7 +19,7 @@ use cases::{Case, conditions, kernels};
 use courses::{COURSE, courses};
 use refusals::{REFUSALS, refusals};
 use routines::{ROUTINE, routines};
-use searches::{pieces, searches};
+use searches::{pieces, searches, steady};
 
 /// Compares each line's answer with the script's own. Zeros of both signs differ, NaN are alike.
 const COMPARE: &str = r#"
@@ -32,7 +32,7 @@ const isClose = (found, expected) => {
   const [a, b] = [found, expected].map((hex) => (hex === "NaN" ? NaN : number(hex)));
   return Object.is(a, b) || Math.abs(a - b) <= Math.max(2 * EPSILON * Math.abs(b), 5e-324);
 };
-const sought = ([from, to, trend, near, target, hole, share, ...terms]) => {
+const sought = ([from, to, trend, near, target, hole, share, ...terms], isSteady) => {
   const found = rootOf([from, to], trend, Number.isNaN(near) ? null : near, (x) => {
     let [value, slope] = [0, 0];
     for (let k = 0; k < terms.length; k += 3) {
@@ -40,7 +40,7 @@ const sought = ([from, to, trend, near, target, hole, share, ...terms]) => {
       [value, slope] = [value + a * sin, slope + a * b * cos];
     }
     return [x > hole ? NaN : value, target, slope * share];
-  });
+  }, isSteady);
   const { kind, isOrdered, by, at, other } = found, of = (x) => (x === undefined ? [] : [bits(x)]);
   if (!kind) return found.map(bits).join(" ");
   if (kind === "Interval") return `${kind} ${isOrdered}`;
@@ -76,7 +76,9 @@ const answer = (name, given) => {
     const piece = new Open([place(1), place(4)], given[0]);
     return `${piece.isClear()} ${piece.onlyTurn()} ${bits(piece.remainderOfHalves(place(7)))}`;
   }
-  if (name === "search") return sought(given);
+  if (name === "search") return sought(given, false);
+  // The crate surveys what the script is told of the slope.
+  if (name === "steady") return sought(given, true);
   if (functions[name]) return [functions[name](...given)].flat().map(bits).join(" ");
   const checks = new FirstError(), value = checks[name](...given, "group", "group");
   const { kind, group, by } = checks.error ?? {};
@@ -118,7 +120,7 @@ fn the_script_decides_alike_beside_limits() {
 
 #[test]
 fn the_script_searches_alike() {
-    compare(searches().chain(pieces()));
+    compare(searches().chain(pieces()).chain(steady()));
 }
 
 /// Every kind of course is often met.

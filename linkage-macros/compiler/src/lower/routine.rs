@@ -52,6 +52,13 @@ pub(crate) struct Search {
     pub checks_span_at_run_time: bool,
 }
 
+impl Search {
+    /// True if the slope is proved to have one sign between the ends, and the equation one root at most.
+    pub(crate) fn is_steady(&self) -> bool {
+        self.apart.is_some_and(|apart| apart.has_one_root)
+    }
+}
+
 /// An equation that stands apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Apart {

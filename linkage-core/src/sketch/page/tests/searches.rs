@@ -47,6 +47,37 @@ pub(super) fn searches() -> impl Iterator<Item = Case> {
     })
 }
 
+/// Searches of a sine between its dead points, whose slope has one sign: within reach, beyond it, and next to an end.
+pub(super) fn steady() -> impl Iterator<Item = Case> {
+    let mut random = Random::new(41);
+    let quarter = core::f64::consts::FRAC_PI_2;
+    (0..20_000).map(move |_| {
+        let mut ends = [random.unit(), random.unit()].map(|part| (2.0 * part - 1.0) * quarter);
+        ends.sort_by(f64::total_cmp);
+        if random.bits().is_multiple_of(2) {
+            ends[0] = -quarter;
+        }
+        if random.bits().is_multiple_of(2) {
+            ends[1] = quarter;
+        }
+        let size = if random.bits().is_multiple_of(2) { 0.3 + random.unit() } else { -0.7 };
+        let terms = [[size, 1.0, 0.0]];
+        let [a, b] = ends.map(|end| sum(&terms, end)[0]);
+        let target = match random.bits() % 4 {
+            0 => {
+                let end = if random.bits().is_multiple_of(2) { a } else { b };
+                far(&mut random, end)
+            }
+            1 => a + random.unit() * (b - a),
+            _ => a + (5.0 * random.unit() - 2.0) * (b - a),
+        };
+        let trend =
+            if (size > 0.0) == (random.unit() < 0.9) { Trend::Rising } else { Trend::Falling };
+        let case = asked(ends, trend, [f64::NAN, target, f64::INFINITY, 1.0], &terms);
+        Case { name: "steady", ..case }
+    })
+}
+
 /// Pieces of a survey: mostly one of the numbers that its judgement compares is within some units in the last
 /// place of the other.
 pub(super) fn pieces() -> impl Iterator<Item = Case> {

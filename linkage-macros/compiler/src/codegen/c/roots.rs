@@ -90,12 +90,13 @@ impl<'a> In<'a> {
             if sign.is_none() { format!("{} trend, ", self.real()) } else { String::new() };
         let trend = sign.unwrap_or_else(|| "trend".to_string());
         let (ending, is_turn) = (self.ending(), u8::from(search.checks_span_at_run_time));
+        let is_steady = u8::from(search.is_steady());
         let unknown = &self.mechanism.unknowns[sought.unknown as usize];
         let unknown = self.mechanism.title_of_unknown(unknown);
         let [name, trial] = [self.root_name(search), self.trial_name(search)];
         let (real, unknown) = (self.real(), quoted(unknown));
         lines.put(&format!(
-            "const LinkageBetween{ending} between = {{ {}, {}, {trend}, {near}, {has_near}, {is_turn} }};\n\
+            "const LinkageBetween{ending} between = {{ {}, {}, {trend}, {near}, {has_near}, {is_turn}, {is_steady} }};\n\
              return linkage_root{ending}(why, {unknown}, &between, {trial}, given, found);\n",
             from.as_str(),
             to_end.as_str(),

@@ -142,7 +142,7 @@ fn searches(mechanism: &Mechanism, lowered: &Lowered<'_>, to: &mut Text) {
         to.put(&format!(", ({TRIAL}) => {{\n"));
         routine.stages.iter().for_each(|stage| printer.statements(&stage.statements, to));
         printer.values(&sides, to.put("return ["));
-        to.put("];\n}),\n");
+        to.put(if search.is_steady() { "];\n}, true),\n" } else { "];\n}),\n" });
     }
 }
 

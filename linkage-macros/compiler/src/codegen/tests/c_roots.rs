@@ -16,7 +16,8 @@ use super::c_program::Program;
 use super::c_run_time::{Call, EntryOutputs, Random, compare};
 
 /// The first of the functions in C that search: rising, falling, both from a seed, the same of an angle that is asked for
-/// a turn, and all of them where something has failed before, and where an unknown was to blame before.
+/// a turn, and all of them where something has failed before, and where an unknown was to blame before; then one whose
+/// slope is known to have one sign.
 const FIRST: i32 = 40;
 
 fn number<T: Scalar>(x: f64) -> T {
@@ -155,6 +156,54 @@ fn equation(random: &mut Random, is_single: bool) -> [f64; 9] {
     x.map(|x| if is_single { f64::from(x as f32) } else { x })
 }
 
+/// A cubic whose slope has one sign everywhere, or is zero at an end alone; its level is within reach, beyond it, or some
+/// last places off an end.
+fn steady_equation(random: &mut Random, is_single: bool) -> [f64; 9] {
+    let epsilon = if is_single { f64::from(f32::EPSILON) } else { f64::EPSILON };
+    let rounded = |x: f64| if is_single { f64::from(x as f32) } else { x };
+    let from = random.unit() * 1.7 - 1.2;
+    let mut x = [0.0; 9];
+    [x[0], x[1]] = [from, from + 0.05 + 2.0 * random.unit()];
+    // The slope is c1 + c3 (12 x² - 3).
+    x[3] = random.pick(&[1.0, -1.0]) * (0.1 + random.unit());
+    let bend = 0.3 * random.unit();
+    x[5] = x[3] * random.pick(&[0.0, bend, 1.0 / 3.0]);
+    if random.below(4) == 0 {
+        x[random.below(2) as usize] = 0.0;
+    }
+    x = x.map(rounded);
+    if x[0] >= x[1] {
+        x[1] = x[0] + 1.0;
+    }
+    let own: [f64; 7] = std::array::from_fn(|i| x[i + 2]);
+    let ends = [x[0], x[1]].map(|end| sides(own, end)[0]);
+    x[2] = match random.below(3) {
+        0 => ends[0] + random.unit() * (ends[1] - ends[0]),
+        1 => ends[random.below(2) as usize] * (1.0 + (random.below(33) as f64 - 16.0) * epsilon),
+        _ => ends[0] + (4.0 * random.unit() - 1.5) * (ends[1] - ends[0]),
+    };
+    x.map(rounded)
+}
+
+/// The search by C where the slope is known to have one sign, beside a survey of the crate.
+fn steady_roots_agree(programs: &[Program], count: usize) {
+    let mut random = Random(37);
+    for (is_single, which) in [(false, 32), (false, 33), (true, 32), (true, 33)] {
+        let call = |_| Call {
+            which: FIRST + which,
+            is_single,
+            x: steady_equation(&mut random, is_single),
+        };
+        let calls: Vec<Call> = (0..count).map(call).collect();
+        let expected = compare(programs, &calls, |call| match is_single {
+            false => expected::<f64>(call),
+            true => expected::<f32>(call),
+        });
+        let refused = expected.iter().filter(|answer| answer[0] == 8.0).count();
+        assert!(refused > count / 4 && refused < count, "{refused}");
+    }
+}
+
 /// A sum that falls through zero at a sample of value zero, with holes between that and the samples beside it: the
 /// sample says all, and nothing is asked beside it.
 const FALLS_AT_A_SAMPLE: [f64; 9] = [-0.375, 0.625, 0.25, -0.75, -0.25, 1.4375, 0.0, 1.0, 9.0];
@@ -173,6 +222,7 @@ fn planted_agree(programs: &[Program]) {
 /// Also that every kind of answer is often met.
 pub(super) fn roots_agree(programs: &[Program], count: usize) {
     planted_agree(programs);
+    steady_roots_agree(programs, count);
     let mut random = Random(23);
     for is_single in [false, true] {
         let mut statuses = BTreeMap::new();

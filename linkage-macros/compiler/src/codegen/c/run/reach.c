@@ -94,7 +94,8 @@ LinkageWide linkage_square_of_centres(LinkageWhy *why, LinkageWide value, Linkag
     LinkageWide by = 0;
     Circles c;
     Reach reach;
-    if (why->status != LINKAGE_OK) {
+    /* Whether circles about centres that far apart meet is told by linkage_reach_circles. */
+    if (why->status != LINKAGE_OK || (is_finite(value) && is_full_square(why, value))) {
         return value;
     }
     reach = circles(why, dx, dy, l1, l2, &c, &by);

@@ -7,6 +7,7 @@ typedef struct LinkageBetween@ {
     REAL seed;
     int has_seed;
     int is_turn; /* true for an angle whose ends, a turn apart at most, are known here alone */
+    int is_steady; /* true if the slope is proved to have one sign between the ends */
 } LinkageBetween@;
 
 /* The sides of an equation at a trial, and the slope of their difference. */

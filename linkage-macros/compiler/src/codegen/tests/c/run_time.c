@@ -151,7 +151,7 @@ static double blamed(const LinkageWhy *why)
         const int which = call->which - 40;                                                                         \
         const number from = (number)call->x[0], end = (number)call->x[1];                                           \
         LinkageWhy why = linkage_why(call->is_single);                                                              \
-        LinkageBetween##width between = { 0, 0, 0, 0, 0, 0 };                                                       \
+        LinkageBetween##width between = { 0, 0, 0, 0, 0, 0, 0 };                                                    \
         number given[7], found[2];                                                                                  \
         int i, is_found;                                                                                            \
         for (i = 0; i < 7; i++) {                                                                                   \
@@ -163,6 +163,7 @@ static double blamed(const LinkageWhy *why)
         between.has_seed = (which & 2) != 0;                                                                        \
         between.seed = from + (end - from) * (number)0.25;                                                          \
         between.is_turn = (which & 4) != 0;                                                                         \
+        between.is_steady = (which & 32) != 0;                                                                      \
         if ((which & 8) != 0) {                                                                                     \
             why.status = LINKAGE_SINGULAR;                                                                          \
             why.group = "earlier";                                                                                  \

@@ -44,8 +44,14 @@ static int surveyed@(Equation@ *f, const Approach@ *approach, const At@ places[4
     return fail@(f, NO_ROOT, missed.x, size_of@(missed.value));
 }
 
+/* True if a function whose slope keeps its sign rises between these ends on one side of zero. */
+static int rises_without_a_root@(At@ a, At@ b)
+{
+    return b.value > a.value && ((a.value > 0.0@ && a.slope >= 0.0@) || (0.0@ > b.value && b.slope >= 0.0@));
+}
+
 /* The root from both ends. */
-static int from_ends@(Equation@ *f, const Approach@ *approach, REAL *found)
+static int from_ends@(Equation@ *f, const Approach@ *approach, int is_steady, REAL *found)
 {
     int most = LEAST_MANT_DIG + SPARE, misses_a, misses_b;
     At@ first, last, ends[2];
@@ -79,6 +85,9 @@ static int from_ends@(Equation@ *f, const Approach@ *approach, REAL *found)
         if (is_met@(missed, slack, steep)) {
             *found = missed.x;
             return 1;
+        }
+        if (is_steady && rises_without_a_root@(first, last)) {
+            return fail@(f, NO_ROOT, missed.x, size_of@(missed.value));
         }
         places[0] = first;
         places[1] = ends[0];
@@ -119,7 +128,7 @@ int linkage_root@(LinkageWhy *why, const char *unknown, const LinkageBetween@ *b
         goes_on = from_seed@(&f, &approach, between->seed, &is_found, &found[0]);
     }
     if (goes_on && !is_found) {
-        goes_on = is_found = from_ends@(&f, &approach, &found[0]);
+        goes_on = is_found = from_ends@(&f, &approach, between->is_steady, &found[0]);
     }
     if (goes_on && !linkage_is_finite@(found[0])) {
         goes_on = fail@(&f, SINGULAR_ROOT, found[0], 0.0@);
