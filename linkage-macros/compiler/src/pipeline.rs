@@ -1,5 +1,6 @@
 //! START HERE: the phases in order, each with what is true after it.
 
+mod change_points;
 mod parsed;
 mod planar_bodies;
 mod printed;
@@ -147,13 +148,7 @@ pub fn drawing(
     let _atoms = AtomScope::begin();
     let (mechanism, _) = understood(source)?;
     let program = placing(&mechanism);
-    let unknowns = mechanism.unknowns.iter().map(|unknown| UnknownWords {
-        title: mechanism.title_of_unknown(unknown).to_string(),
-        unit: unit(unknown.measure, Order::Position),
-        checks_span_at_run_time: unknown.dimension.angle
-            && unknown.between.iter().any(|end| end.constant().is_none()),
-    });
-    let unknowns: Vec<_> = unknowns.collect();
+    let unknowns = unknown_words(&mechanism);
     let given = ProgramValues {
         inputs: inputs.iter().map(|&q| [q, 0.0, 0.0]).collect(),
         params: mechanism.params.iter().map(Param::default_value).collect(),
@@ -189,6 +184,17 @@ pub fn report(source: TokenStream, options: &ReportOptions) -> Result<Report, Ve
     Ok(made.expect("a report that is not made says why"))
 }
 
+/// The words for each unknown.
+fn unknown_words(mechanism: &Mechanism) -> Vec<UnknownWords> {
+    let unknowns = mechanism.unknowns.iter().map(|unknown| UnknownWords {
+        title: mechanism.title_of_unknown(unknown).to_string(),
+        unit: unit(unknown.measure, Order::Position),
+        checks_span_at_run_time: unknown.dimension.angle
+            && unknown.between.iter().any(|end| end.constant().is_none()),
+    });
+    unknowns.collect()
+}
+
 /// The mechanism of a declaration without mistakes, and the remarks on it.
 fn understood(source: TokenStream) -> Result<(Mechanism, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut diagnostics = Diagnostics::new();
@@ -218,9 +224,10 @@ pub(crate) fn resolved(
 ) -> Result<Mechanism, Stub> {
     // No barrier in front: the tree marks what could not be read, and the model says nothing of what may only be
     // missing because of that. Afterwards every name is a typed id and every dimension is checked.
-    let mechanism = model::resolve(declaration, diagnostics)?;
+    let mut mechanism = model::resolve(declaration, diagnostics)?;
     // The one rule that asks for equations; nothing that follows can fail.
     if equations::load_does_work(&mechanism, passes::RULES) {
+        change_points::found(&mut mechanism, diagnostics);
         return Ok(mechanism);
     }
     model::load_does_no_work(declaration, &mechanism, diagnostics);

@@ -49,6 +49,20 @@ pub(crate) struct SearchedGroup {
 pub(crate) struct Dyad {
     pub legs: [DyadLeg; 2],
     pub inner: Pair,
+    /// Links of given angle between the first leg, at `inner`, and the second.
+    pub carried: Vec<Carried>,
+}
+
+/// A link of given angle between the bars of a dyad.
+#[derive(Clone, Debug)]
+pub(crate) struct Carried {
+    pub body: usize,
+    /// The pins through which it goes on the way from the first bar to the second.
+    pub pins: [usize; 2],
+    /// The drives that turn it against what is placed, its own first, each with the body on its side.
+    pub drives: Vec<[usize; 2]>,
+    /// The body against which they turn it.
+    pub reference: usize,
 }
 
 /// A body, or two that a drive holds together: first the one at the joint outside.
@@ -74,7 +88,7 @@ impl Pair {
         }
     }
 
-    fn is_pin(self) -> bool {
+    pub(super) fn is_pin(self) -> bool {
         matches!(self, Self::Pin(_))
     }
 }
@@ -210,7 +224,8 @@ impl Unplaced<'_> {
         let sliding =
             legs.iter().filter(|leg| !leg.outer.is_pin()).count() + usize::from(!inner.0.is_pin());
         // Two links with prismatic joints alone cannot turn.
-        (sliding < 3).then(|| Dyad { legs, inner: inner.0 }.ordered(self.machine))
+        (sliding < 3)
+            .then(|| Dyad { legs, inner: inner.0, carried: Vec::new() }.ordered(self.machine))
     }
 
     /// The bodies of a part between a joint outside and the one between both legs.
@@ -316,8 +331,14 @@ impl Unplaced<'_> {
                     steps.extend(turned);
                     self.take(pair.to_vec());
                 }
-                None if self.hold() => {}
-                None => return steps,
+                None => match self.carried_dyad() {
+                    Some((parts, dyad)) => {
+                        steps.push(Found::Dyad(dyad));
+                        self.take(parts);
+                    }
+                    None if self.hold() => {}
+                    None => return steps,
+                },
             }
         }
     }

@@ -11,7 +11,8 @@ pub(crate) fn sine(machine: &Machine, dyad: &Dyad) -> f64 {
     let slide = |index: usize| machine.slides[index];
     match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
         (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
-            let (a, b) = (pin(v) - pin(u), pin(v) - pin(w));
+            let [first, second] = dyad.tips(v);
+            let (a, b) = (pin(first) - pin(u), pin(second) - pin(w));
             ratio(a.cross(b), a.length() * b.length())
         }
         (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => along(slide(s).along, pin(v) - pin(u)),

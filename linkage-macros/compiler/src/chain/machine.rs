@@ -17,6 +17,8 @@ pub(crate) struct Machine {
     pub motions: Vec<InputRates>,
     /// True if a dimension depends on a parameter or an input.
     pub varies: bool,
+    /// True if anything has mass or acts, so that what pushes in the joints is asked for.
+    pub is_loaded: bool,
 }
 
 /// A rigid body. A pin of several bodies is a revolute joint between them.

@@ -4,7 +4,7 @@
 //! it is drawn, and returns the groups in solving order. [`count`] finds them by counting freedoms:
 //! every constraint is held by a body or a pin that it leaves one freedom less, and bodies that
 //! hold each other's constraints in a circle are one group. [`cutting`] makes drivers and dyads of
-//! them. A group of class III is solved by one unknown: [`options`] lists what can be left out and what
+//! them, [`carried`] dyads with links of given angle between their bars. A group of class III is solved by one unknown: [`options`] lists what can be left out and what
 //! be driven, [`trace`] follows the machine, [`following`] fits intervals to it, bent where [`near_dead`] finds dead points
 //! beside it, and [`choice`] chooses. [`pose`]
 //! computes poses, [`redrawn`] one with other lengths, and [`limits`] says how far each group is from its limit.
@@ -13,6 +13,7 @@
 //! messages. A result decides which groups there are and on which side they assemble, and no
 //! dimension of them.
 
+mod carried;
 mod choice;
 pub(crate) mod count;
 mod curve;

@@ -1,5 +1,7 @@
 //! Poses of the groups that were found, from the drawing on.
 
+mod two_bars;
+
 use super::cutting::{Dyad, Found, Pair, SearchedGroup};
 use super::limits::sine;
 use super::machine::{GROUND, Held, Machine};
@@ -10,6 +12,9 @@ thread_local! {
     /// The count of residuals that were computed, by which tests bound the work of a cut.
     pub(crate) static RESIDUALS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
 }
+
+/// Two bodies, and the drive that holds them together.
+type HeldBodies = ([usize; 2], Held);
 
 /// The changes of drives, lengths and unknowns from the drawing.
 #[derive(Default)]
@@ -250,12 +255,7 @@ impl<'m> Posed<'m> {
         let held = [held[0], held[1].map(|([_, other], held)| ([b, other], held))];
         match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
-                let outer = [(a, u), (b, w)].map(|(body, pin)| self.place(body, pin, given));
-                let tips =
-                    [(a, held[0]), (b, held[1])].map(|(body, held)| self.tip(body, held, v, given));
-                let ends = [self.pin(u, given)?, self.pin(w, given)?];
-                self.between_two_pins([a, b], ends, [outer, tips], sign)?;
-                held.into_iter().for_each(|held| self.follow(held, given));
+                self.two_bars(dyad, held, given, [u, v, w])?;
             }
             (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
                 let (from, rail) = (self.pin(u, given)?, self.rail(s, b)?);

@@ -6,6 +6,7 @@
 
 mod answers;
 mod as_drawn;
+mod carried_links;
 mod chains_of_eight;
 mod declared_by_hand;
 mod declared_points;
@@ -28,6 +29,8 @@ mod random;
 mod scales;
 mod several_inputs;
 mod textbook;
+mod touched_limits;
+mod turned_round;
 mod two_drives;
 mod variants;
 mod whole_turns;

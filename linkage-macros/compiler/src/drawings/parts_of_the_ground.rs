@@ -81,3 +81,21 @@ fn a_part_of_the_ground_is_a_link_that_stands_still() {
     let told = frame("drive frame.angle = 2 * t;").err().expect("it is held");
     assert!(told[0].contains("`frame`"), "{told:?}");
 }
+
+/// One link turns at a pin of the ground, whichever of its parts go through it: its friction is that without the frame.
+#[test]
+fn a_part_of_the_ground_does_not_turn_in_a_joint() {
+    let rubbing = |frame: &str| {
+        machine(&format!(
+            "pub struct M {{ input t: angle; ground A(0, 0), D(300mm, 0); pin B(50mm, 80mm), C(300mm, 200mm); {frame}
+             link AB(A, B), BC(B, C), DC(D, C); drive AB.angle = t; mass 2kg on BC uniform; gravity (0, -9.81);
+             friction 0.1 at A radius 10mm; friction 0.2 at D radius 12mm; }}"
+        ))
+        .unwrap_or_else(|told| panic!("{frame}: {told:?}"))
+    };
+    let [bare, framed] = ["", "link frame(A, D);"].map(rubbing);
+    let drawn = bare.mechanism.drawn.clone().expect("the drive determines it")[0];
+    let efforts = [&bare, &framed]
+        .map(|machine| machine.answers("forces", &[[drawn, 1.0, 0.0]]).named("t.drive"));
+    assert!((efforts[0] - efforts[1]).abs() < OFF, "{efforts:?}");
+}

@@ -4,6 +4,7 @@ use crate::exact::Exact;
 use crate::reach::turn::Turn;
 
 use crate::model::ids::{GroupId, InputId, LinkId, PointId};
+use crate::model::incidence::Carrier;
 
 /// Facts that constants fix about a group.
 pub(crate) struct Known {
@@ -25,4 +26,22 @@ pub(crate) struct Rotatability {
     pub is_parallelogram: bool,
     /// The comparison of lengths that decides it.
     pub reason: String,
+}
+
+/// A group of constants between two bodies that are pinned to each other, which some angle between them brings to its
+/// limit exactly.
+pub(crate) struct Touching {
+    pub group: GroupId,
+    /// The joint of both bodies.
+    pub hinge: PointId,
+    /// The outer joint of the group on the first body.
+    pub on: PointId,
+    /// The second body.
+    pub against: Carrier,
+    /// The angles in degrees of the first body's line from the hinge to the outer joint, in the frame of the second.
+    pub angles: Vec<f64>,
+    /// Opposite sides are of one length.
+    pub is_parallelogram: bool,
+    /// The values of the only input there, in degrees: those that were found by poses over a turn.
+    pub inputs: Vec<f64>,
 }

@@ -13,7 +13,7 @@ pub(crate) use crate::model::as_drawn::AsDrawn;
 pub(crate) use crate::model::dimension::Dimension;
 use crate::model::drawn_bodies::Outline;
 pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Operator, Scalar};
-pub(crate) use crate::model::findings::{Known, Rotatability};
+pub(crate) use crate::model::findings::{Known, Rotatability, Touching};
 pub(crate) use crate::model::ids::{
     GroupId, GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId,
     UnknownId,
@@ -45,6 +45,7 @@ pub(crate) struct Mechanism {
     pub outputs: Vec<DeclaredOutput>,
     /// The ranges of the cranks' turns that dyads of constants allow.
     pub rotatabilities: Vec<Rotatability>,
+    pub touchings: Vec<Touching>,
     /// Facts that constants fix about groups, for their docs.
     pub known: Vec<Known>,
     /// Masses, and what acts.
@@ -102,6 +103,7 @@ impl Mechanism {
             steps: Vec::new(),
             outputs: Vec::new(),
             rotatabilities: Vec::new(),
+            touchings: Vec::new(),
             known: Vec::new(),
             dynamics: Dynamics::default(),
             references: References::default(),

@@ -91,6 +91,7 @@ mod statements;
 mod step;
 mod stub;
 mod titles;
+pub(crate) mod touching;
 pub(crate) mod units;
 mod unknown_friction;
 mod unused;
@@ -229,6 +230,7 @@ fn walked<'d>(
     scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);
     rotatability::cranks_can_turn(&mut scope);
     rotatability::note_change_points(&mut scope);
+    scope.mechanism.touchings = touching::touchings(&scope);
     unknowns::ends_can_be_assembled(&mut scope);
     scope
 }

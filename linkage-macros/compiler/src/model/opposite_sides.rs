@@ -13,7 +13,7 @@ use crate::model::assembly::span_of;
 use crate::model::expr::Scalar;
 use crate::model::folding::shown_f64;
 use crate::model::mechanism::{
-    Carrier, Length, Mechanism, Mode, Opposite, PartOf, Placement, PointId, Step,
+    Carrier, Group, Length, Mechanism, Mode, Opposite, PartOf, Placement, PointId, Step,
 };
 use crate::model::parts_of_groups::Parts;
 use crate::model::same_expression::{difference, hypotenuse, is_same};
@@ -113,7 +113,7 @@ struct Bars<'l> {
 }
 
 /// The points that are on one body with the first joint and on another one with the second.
-fn corners(scope: &Scope<'_>, [b, d]: [PointId; 2]) -> Vec<Opposite> {
+pub(super) fn corners(scope: &Scope<'_>, [b, d]: [PointId; 2]) -> Vec<Opposite> {
     let facts = &scope.facts;
     let mut found = Vec::new();
     for of_b in facts.carriers(b) {
@@ -183,6 +183,18 @@ impl<'l> Bars<'l> {
 fn link_name(scope: &Scope<'_>, parts: &Parts, bar: usize) -> String {
     let link = parts.link(bar).map(|link| &scope.mechanism.links[link.index()].name);
     link.map_or(String::new(), Ident::to_string)
+}
+
+/// True if the sides of a corner are known to be as long as the bars of a group.
+pub(super) fn sides_are_equal(scope: &Scope<'_>, group: &Group, corner: Opposite) -> bool {
+    let outer = |bar: usize| group.outer[bar].point();
+    let ([Some(first), Some(second)], [Some(a), Some(b)]) =
+        ([outer(0), outer(1)], [&group.lengths[0], &group.lengths[1]])
+    else {
+        return false;
+    };
+    let bars = Bars { outer: [first, second], lengths: [a, b] };
+    bars.unequal_side(scope, corner).is_none()
 }
 
 /// True if the two points of a body are known to be that far apart.

@@ -15,6 +15,7 @@ use super::mechanism::{
     Mechanism, Mode, Point, PointId, Rotatability, Scalar, Step, Through,
 };
 use super::scope::Scope;
+use super::touching::in_words;
 
 /// A crank on the ground: its circle and what turns it.
 struct TurningCrank<'m> {
@@ -220,28 +221,16 @@ pub(super) fn note_change_points(scope: &mut Scope<'_>) {
         !found.turn.change_points.is_empty() && constant.contains(&found.group)
     };
     for found in scope.mechanism.rotatabilities.iter().filter(is_passed) {
-        let GroupName { keyword, title, .. } = &scope.mechanism.groups[found.group.index()];
+        let keyword = scope.mechanism.groups[found.group.index()].keyword.span();
         let angle = match found.input {
             Some(input) => scope.mechanism.inputs[input.index()].name.to_string(),
             None => format!("{}.angle", scope.mechanism.links[found.crank.index()].name),
         };
         let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
-        let message = format!(
-            "`{title}` can be assembled in one way alone at `{angle}` = {}: a change point",
-            angles.join(" and ")
-        );
-        let follow =
-            "a parameter, `param side: mode = …;`, and a `Tracker` follow the motion through";
-        let reason = match (scope.drawn.is_some(), found.is_parallelogram) {
-            (true, _) => format!(
-                "behind it the solver may be in another assembly than the machine; change a length, or declare the \
-                 group by hand: {follow}"
-            ),
-            (false, true) => format!("`mode: parallel` keeps it a parallelogram; {follow}"),
-            (false, false) => {
-                format!("behind it the mode stands for another motion; {follow}")
-            }
-        };
-        scope.diagnostics.note_because(keyword.span(), message, reason);
+        let (at, is_drawn) =
+            (format!("`{angle}` = {}", angles.join(" and ")), scope.drawn.is_some());
+        let [message, reason] =
+            in_words(&scope.mechanism, found.group, &at, found.is_parallelogram, is_drawn);
+        scope.diagnostics.note_because(keyword, message, reason);
     }
 }

@@ -48,6 +48,7 @@ pub(super) fn stub(mut scope: Scope<'_>, tree: &Declaration) -> Mechanism {
         unknowns: Vec::new(),
         steps: Vec::new(),
         rotatabilities: Vec::new(),
+        touchings: Vec::new(),
         known: Vec::new(),
         references: References::default(),
         numerics: Numerics::Plain,

@@ -87,7 +87,11 @@ pub(super) fn solver(mechanism: &Mechanism, lowered: &Lowered<'_>) -> TokenStrea
     page += &section("Searches, in every call", searches_in_words::in_words(mechanism, lowered));
     let ranges = mechanism.rotatabilities.iter();
     let in_words = |found| ranges_in_words::in_words(mechanism, &lowered.interface, found);
-    page += &section("Range", ranges.map(in_words).collect());
+    let ranges = ranges.map(in_words);
+    let touchings = mechanism.touchings.iter().filter(|found| !found.inputs.is_empty());
+    let touchings =
+        touchings.map(|found| ranges_in_words::of_touching(mechanism, &lowered.interface, found));
+    page += &section("Range", ranges.chain(touchings).collect());
     let costs = lowered.interface.entries.iter().zip(&lowered.costs);
     let costs = costs
         .map(|(entry, cost)| format!("`{}`: {}", entry.name(), costs_in_words::in_words(*cost)));

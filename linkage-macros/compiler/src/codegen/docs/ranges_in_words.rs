@@ -3,7 +3,7 @@
 use crate::codegen::identifiers::text;
 use crate::interface::Interface;
 use crate::interface::entries::Analysis;
-use crate::model::mechanism::{Mechanism, Rotatability};
+use crate::model::mechanism::{Mechanism, Rotatability, Touching};
 use crate::reach::turn::{Range, degrees};
 
 /// Over which angles a crank turns, why, and what happens at change points.
@@ -33,16 +33,8 @@ pub(super) fn in_words(
     let forward = Analysis::ForwardDynamics.by_value();
     let moves_under_forces = interface.find(forward).is_some();
     if !found.turn.change_points.is_empty() {
-        let angles: Vec<_> = found.turn.change_points.iter().copied().map(degrees).collect();
-        let angles = angles.join(" and ");
-        line += &format!(
-            ". At `{angle}` = {angles} both assembly modes are one: velocities are `Singular` there, \
-             and a constant mode does not follow the motion through; `Tracker` does"
-        );
-        if moves_under_forces {
-            line += ". Integrated by `state_rates` alone, a motion under forces jumps there to other \
-                     velocities and another energy: ask through `Tracker::follow`";
-        }
+        line += ". At ";
+        line += &change_points(&angle, &found.turn.change_points, moves_under_forces);
     }
     let has_ends = matches!(found.turn.range, Range::Within(_));
     if has_ends && found.input.is_some() && moves_under_forces {
@@ -53,8 +45,42 @@ pub(super) fn in_words(
         );
     }
     if found.is_parallelogram {
-        line += ". These are the lengths of a parallelogram, which `left` or `right` turns into an \
-                 antiparallelogram: `mode: parallel` keeps it one";
+        line += IS_PARALLELOGRAM;
+    }
+    line
+}
+
+const IS_PARALLELOGRAM: &str = ". These are the lengths of a parallelogram, which `left` or `right` turns into an \
+                                antiparallelogram: `mode: parallel` keeps it one";
+
+/// The course of the motion where an angle has these values.
+fn change_points(angle: &str, values: &[f64], moves_under_forces: bool) -> String {
+    let values: Vec<_> = values.iter().copied().map(degrees).collect();
+    let mut line = format!(
+        "`{angle}` = {} both assembly modes are one: velocities are `Singular` there, \
+         and a constant mode does not follow the motion through; `Tracker` does",
+        values.join(" and ")
+    );
+    if moves_under_forces {
+        line += ". Integrated by `state_rates` alone, a motion under forces jumps there to other \
+                 velocities and another energy: ask through `Tracker::follow`";
+    }
+    line
+}
+
+/// The change points of a group that does not stand on a crank of the ground.
+pub(super) fn of_touching(
+    mechanism: &Mechanism,
+    interface: &Interface,
+    found: &Touching,
+) -> String {
+    let angle = text(&mechanism.inputs[0].name);
+    let moves_under_forces = interface.find(Analysis::ForwardDynamics.by_value()).is_some();
+    let group = mechanism.statement(found.group);
+    let mut line =
+        format!("{group}: at {}", change_points(&angle, &found.inputs, moves_under_forces));
+    if found.is_parallelogram {
+        line += IS_PARALLELOGRAM;
     }
     line
 }

@@ -34,16 +34,16 @@ int main(void)
 }
 "#;
 
-/// E and F at 81 angles, in f64 and then in f32; none without a compiler.
-fn answers(source: &str) -> Option<Vec<[f64; 4]>> {
-    let folder = std::env::temp_dir().join(format!("linkage_{}_chain", std::process::id()));
+/// The lines that a caller in C prints of a printed solver; none without a compiler.
+pub(super) fn printed(name: &str, source: &str, caller: &str) -> Option<String> {
+    let folder = std::env::temp_dir().join(format!("linkage_{}_{name}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder can be made");
     let files =
         pipeline::c(source.parse().expect("tokens"), &[], None).expect("there is no mistake");
     for file in &files {
         std::fs::write(folder.join(&file.name), &file.text).expect("it can be written");
     }
-    std::fs::write(folder.join("caller.c"), CALLER).expect("it can be written");
+    std::fs::write(folder.join("caller.c"), caller).expect("it can be written");
     let sources = files.iter().map(|file| &file.name[..]).filter(|name| name.ends_with(".c"));
     let compiled = Command::new("cc")
         .args(["-std=c99", "-O2", "-Wall", "-Werror", "-o", "caller", "caller.c"])
@@ -52,14 +52,19 @@ fn answers(source: &str) -> Option<Vec<[f64; 4]>> {
         .current_dir(&folder)
         .output();
     let Ok(compiled) = compiled else {
-        skipped("a drawn parallelogram in C: no cc");
+        skipped("a drawn machine in C: no cc");
         return None;
     };
     assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
     let output = Command::new(folder.join("caller")).output().expect("the program starts");
     assert!(output.status.success());
     let _ = std::fs::remove_dir_all(&folder);
-    let text = String::from_utf8(output.stdout).expect("numbers");
+    Some(String::from_utf8(output.stdout).expect("text"))
+}
+
+/// E and F at 81 angles, in f64 and then in f32; none without a compiler.
+fn answers(source: &str) -> Option<Vec<[f64; 4]>> {
+    let text = printed("chain", source, CALLER)?;
     let numbers = |line: &str| {
         let mut numbers = line.split(' ').map(|number| number.parse().expect("a number"));
         [(); 4].map(|()| numbers.next().expect("four numbers"))

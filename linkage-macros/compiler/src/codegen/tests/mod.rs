@@ -1,6 +1,7 @@
 //! The text of what small programs expand to.
 
 mod apart;
+mod c_beyond;
 mod c_builds;
 mod c_constants;
 mod c_export;

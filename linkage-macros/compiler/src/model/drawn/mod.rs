@@ -66,7 +66,8 @@ fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
 
 /// The mechanism that a drawing means.
 pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
-    let cut = cut(tree, diagnostics)?;
+    let turned = reading::couplings::turned_round(tree);
+    let cut = cut(turned.as_ref().unwrap_or(tree), diagnostics)?;
     let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.links)?;
     mechanism.references = References::of(tree);
     mechanism.drawn = cut.inputs;

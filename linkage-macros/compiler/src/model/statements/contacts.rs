@@ -204,10 +204,16 @@ fn slider(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
     None
 }
 
-/// The links that meet at a pin: those that stand there, and those that are joined by it.
+/// The links that meet at a pin: those that stand there, and those that are joined by it. Beside one that moves, a part of
+/// the ground does not turn there.
 fn at_pin(scope: &Scope<'_>, pin: PointId) -> (Vec<LinkId>, Vec<LinkId>) {
     let standing = scope.mechanism.standing().into_iter();
-    let standing = standing.filter(|(point, _)| *point == pin).map(|(_, link)| link).collect();
+    let mut standing: Vec<_> =
+        standing.filter(|(point, _)| *point == pin).map(|(_, link)| link).collect();
+    let moves = |link: &LinkId| scope.facts.links[link.index()].moves;
+    if standing.iter().any(moves) {
+        standing.retain(moves);
+    }
     let mut groups = scope.mechanism.group_steps();
     let joined = groups.find(|group| group.pin == Some(pin) && group.links.len() == 2);
     (standing, joined.map_or(Vec::new(), |group| group.links.clone()))

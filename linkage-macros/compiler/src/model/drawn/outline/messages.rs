@@ -244,8 +244,9 @@ pub(in crate::model::drawn) fn report_limit(
     let [first, second] = [a, b].map(|body| bodies.name(body));
     let message = match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {
         (Pair::Pin(_), Pair::Pin(_), Pair::Pin(_)) => {
+            let are = if dyad.carried.is_empty() { "in one line" } else { "parallel" };
             format!(
-                "in the drawing {first} and {second} are in one line: `left` and `right` come together there"
+                "in the drawing {first} and {second} are {are}: `left` and `right` come together there"
             )
         }
         (Pair::Pin(_), Pair::Pin(_), Pair::Slide(_)) => {

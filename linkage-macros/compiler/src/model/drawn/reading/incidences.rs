@@ -92,6 +92,8 @@ impl<'t> Reader<'t, '_, '_> {
             machine.drives.push(self.driving(&machine, drive)?);
         }
         machine.varies = self.varies();
+        machine.is_loaded =
+            self.tree.statements.iter().any(|s| matches!(s.kind, StatementKind::Action(_)));
         let Self { tree, pins, links, guides, .. } = self;
         let (displacements, driven) = (Vec::new(), Vec::new());
         Some(Bodies {

@@ -1,6 +1,7 @@
 //! Reads a drawing: its numbers, its names, and the frames and lines that these mean.
 
 pub(in crate::model::drawn) mod bare_links;
+pub(in crate::model::drawn) mod couplings;
 pub(in crate::model::drawn) mod framing;
 pub(in crate::model::drawn) mod incidences;
 pub(in crate::model::drawn) mod read_guides;

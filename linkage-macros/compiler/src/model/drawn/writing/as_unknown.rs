@@ -266,7 +266,10 @@ impl Writer<'_, '_> {
 fn bodies_of(step: &Found) -> Vec<usize> {
     match step {
         Found::Crank { body, .. } | Found::Slider { body, .. } => vec![*body],
-        Found::Dyad(dyad) => dyad.legs.iter().flat_map(|leg| leg.bodies.clone()).collect(),
+        Found::Dyad(dyad) => {
+            let legs = dyad.legs.iter().flat_map(|leg| leg.bodies.clone());
+            legs.chain(dyad.carried_bodies()).collect()
+        }
         Found::Search(search) => search.steps.iter().flat_map(bodies_of).collect(),
     }
 }

@@ -1,17 +1,21 @@
-//! Two links that a drive holds together, between what moves each: a bar whose length the drive
-//! gives. The bar takes part in a group, and both links are placed on it.
+//! Links that drives hold between bars. Two links that a drive holds together, between what moves each, are a bar whose length
+//! the drive gives: the bar takes part in a group, and both links are placed on it. A link of given angle between two bars
+//! is moved without being turned: the bars are a dyad, one of them shifted.
 
 use proc_macro2::Ident;
 
-use crate::chain::cutting::DyadLeg;
-use crate::chain::machine::Held;
+use crate::chain::cutting::{Carried, Dyad, DyadLeg, Found, Pair};
+use crate::chain::limits::sine;
+use crate::chain::machine::{GROUND, Held};
 use crate::syntax::tree::{
-    Expr, ExprKind, LetStatement, PointPlace, PointStatement, StatementKind,
+    Expr, ExprKind, GroupFieldValue, LetStatement, PointPlace, PointStatement, StatementKind,
 };
 
 use crate::model::drawn::outline::figures::{Figure, sum};
+use crate::model::drawn::outline::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::writing::bars::{DrawnBar, HeldBar};
-use crate::model::drawn::writing::writer::Writer;
+use crate::model::drawn::writing::group_statement::group_of;
+use crate::model::drawn::writing::writer::{Writer, side};
 
 impl Writer<'_, '_> {
     /// The bar between a joint outside and the one between both legs.
@@ -46,7 +50,7 @@ impl Writer<'_, '_> {
     }
 
     /// Remembers a link that a group has as a bar.
-    fn is_a_bar(&mut self, body: usize, pins: [usize; 2]) {
+    pub(super) fn is_a_bar(&mut self, body: usize, pins: [usize; 2]) {
         let between = self.bodies.link(body).pins.get(..2);
         if between.is_some_and(|ends| pins.iter().all(|pin| ends.contains(pin))) {
             self.bars.push(body);
@@ -121,4 +125,124 @@ impl Writer<'_, '_> {
         self.hide(name.clone(), &links);
         name
     }
+
+    /// Writes a dyad with links of given angle between its bars: the group of both bars with the outer pin of the second one
+    /// shifted, and the links and that bar behind it.
+    pub(in crate::model::drawn) fn carried_dyad(&mut self, dyad: &Dyad) {
+        let [Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)] =
+            [dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer]
+        else {
+            return;
+        };
+        let ([a, b], [_, tip]) = (self.bars(dyad), dyad.tips(v));
+        let mut at = self.bodies.pins[w].name.clone();
+        for carried in dyad.carried.iter().rev() {
+            at = self.shifted(carried, at);
+        }
+        let shifted = self.names.made(format!("{}_shifted", self.frames.name(b)), "_", at.span());
+        let all: Vec<_> = [b].into_iter().chain(dyad.carried_bodies()).collect();
+        self.hide(shifted.clone(), &all);
+        let bars = [(a, [u, v]), (b, [w, tip])];
+        let lengths = bars.map(|(body, [from, to])| self.frames.length(body, from, to));
+        let mode = side(sine(&self.bodies.machine, dyad));
+        let fields = vec![("lengths", GroupFieldValue::Pair(lengths)), self.mode(a, mode)];
+        let first = (a, self.frames.name(a).clone(), self.bodies.pins[u].name.clone());
+        self.group(&dyad.letters(), &[first, (b, shifted.clone(), at)], Some(v), fields, None);
+        self.bar_is_placed(a, u, v);
+        self.is_a_bar(a, [u, v]);
+        dyad.carried.iter().for_each(|carried| self.carried_link(carried));
+        self.alongside(b, &shifted, [w, tip]);
+    }
+
+    /// The angle of a link by its drives, and what it is measured from.
+    fn angle_by_drives(&self, carried: &Carried) -> Vec<(&'static str, GroupFieldValue)> {
+        let values = carried.drives.iter().map(|&[drive, body]| self.value(Some(drive), body));
+        let Some(angle) = values.reduce(sum) else { return Vec::new() };
+        let reference = (carried.reference != GROUND).then(|| self.frames.name(carried.reference));
+        let against = reference.map(|name| ("relative_to", GroupFieldValue::One(named(name))));
+        [("angle", GroupFieldValue::One(angle))].into_iter().chain(against).collect()
+    }
+
+    /// A link that turns as a carried one about a point, and the point where that one then ends: the vector between its
+    /// pins in front of the point. The name of the new point.
+    fn shifted(&mut self, carried: &Carried, at: Ident) -> Ident {
+        let (body, [from, to]) = (carried.body, carried.pins);
+        let name = self.names.made(format!("{}_at_{at}", self.frames.name(body)), "_", at.span());
+        self.hide(name.clone(), &[body]);
+        let drive = carried.drives.first().map(|[drive, _]| *drive);
+        let fields = self.angle_by_drives(carried);
+        self.group("crank", &[(body, name.clone(), at.clone())], None, fields, drive);
+        let pen = self.frames.pen.at(name.span());
+        let frame = &self.bodies.frames[body];
+        let back = pen.minus(self.frames.place(from), self.frames.place(to));
+        let local = match (&self.bodies.link(body).length, frame.points) {
+            (Some((length, _)), Heading::Pins(near, _)) => {
+                let length = Figure::length((*length).clone(), f64::NAN, None);
+                let along = if near == to { length } else { pen.neg(&length) };
+                [along, pen.zero()]
+            }
+            (_, Heading::X) => back,
+            _ => pen.seen_from(&frame.axis, &back),
+        };
+        let point = self.names.made(format!("{at}_shifted"), "_", name.span());
+        self.hide(point.clone(), &[]);
+        let place = PointPlace::Cartesian(local.map(|number| number.text));
+        let on = Some(name);
+        let behind = self.bodies.link(body).statement;
+        self.put(behind, StatementKind::Point(PointStatement { name: point.clone(), on, place }));
+        point
+    }
+
+    /// A carried link at the pin where the bar in front of it ends.
+    fn carried_link(&mut self, carried: &Carried) {
+        let (body, [pivot, _]) = (carried.body, carried.pins);
+        if let [[drive, _]] = carried.drives[..] {
+            let (drive, reference) = (Some(drive), carried.reference);
+            return self.step(&Found::Crank { drive, body, reference, pivot });
+        }
+        let fields = self.angle_by_drives(carried);
+        let drive = carried.drives.first().map(|[drive, _]| *drive);
+        let leg = (body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone());
+        self.group("crank", &[leg], None, fields, drive);
+        self.settle_about(body, pivot, self.counted_by_drives(carried));
+    }
+
+    /// The angle of a carried link in the drawing, with the turns that its drives count.
+    fn counted_by_drives(&self, carried: &Carried) -> f64 {
+        let mut angle = match carried.reference {
+            GROUND => 0.0,
+            reference => self.frames.counted_as_written(reference),
+        };
+        for &[drive, body] in &carried.drives {
+            let sign = if self.bodies.machine.drives[drive].bodies[0] == body { 1.0 } else { -1.0 };
+            angle += sign * self.bodies.driven[drive];
+        }
+        angle
+    }
+
+    /// The frame of a link as it is written, at a pin that is made.
+    fn settle_about(&mut self, body: usize, pivot: usize, counted: f64) {
+        let (begins, origin) = (Origin::Pin(pivot), self.frames.place(pivot).clone());
+        let written = self.bodies.frames[body].clone();
+        self.settle(body, DrawnFrame { begins, origin, ..written }, counted);
+    }
+
+    /// A bar at its outer pin, along the one that stands for it in the group.
+    fn alongside(&mut self, body: usize, shifted: &Ident, [from, to]: [usize; 2]) {
+        let zero = self.frames.pen.at(self.frames.name(body).span()).float(0.0, "rad");
+        let fields = vec![
+            ("angle", GroupFieldValue::One(zero)),
+            ("relative_to", GroupFieldValue::One(named(shifted))),
+        ];
+        let leg = (self.frames.name(body).clone(), self.bodies.pins[from].name.clone());
+        self.frames.turns.join(&leg.0, &leg.1);
+        let behind = self.bodies.link(body).statement;
+        self.put(behind, StatementKind::Group(group_of("crank", vec![leg], None, fields)));
+        self.bar_is_placed(body, from, to);
+        self.pin_is_elsewhere(body, to);
+    }
+}
+
+fn named(name: &Ident) -> Expr {
+    Expr { kind: ExprKind::Name(name.clone()), span: name.span().into() }
 }

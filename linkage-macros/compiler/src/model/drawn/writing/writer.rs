@@ -159,6 +159,7 @@ impl<'b, 't> Writer<'b, 't> {
                 self.crank(*drive, *body, *reference, *pivot);
             }
             Found::Slider { drive, body, slide } => self.slider(*drive, *body, *slide),
+            Found::Dyad(dyad) if !dyad.carried.is_empty() => self.carried_dyad(dyad),
             Found::Dyad(dyad) => self.dyad(dyad),
             Found::Search(search) => self.search(search),
         }
@@ -243,8 +244,7 @@ impl<'b, 't> Writer<'b, 't> {
                 let bars = [(0, u), (1, w)].map(|(leg, pin)| self.bar(&dyad.legs[leg], [pin, v]));
                 let lengths = bars.each_ref().map(DrawnBar::length);
                 self.links.parallels.extend(parallel(self.bodies, [u, v, w]));
-                let mode = if sign > 0.0 { "left" } else { "right" };
-                let mode = self.mode(dyad.legs[0].bodies[0], mode);
+                let mode = self.mode(dyad.legs[0].bodies[0], side(sign));
                 let fields = vec![("lengths", GroupFieldValue::Pair(lengths)), mode];
                 let names = bars.each_ref().map(|bar| self.bar_name(bar));
                 self.write_named(dyad, names, Some(v), fields);
@@ -383,6 +383,11 @@ impl<'b, 't> Writer<'b, 't> {
 /// The field `offset`, none where it is zero.
 pub(in crate::model::drawn) fn given(offset: Figure) -> Option<(&'static str, GroupFieldValue)> {
     (!offset.is_zero()).then_some(("offset", GroupFieldValue::One(offset.text)))
+}
+
+/// The mode of a group between bars.
+pub(in crate::model::drawn) fn side(sign: f64) -> &'static str {
+    if sign > 0.0 { "left" } else { "right" }
 }
 
 fn sense(sign: f64) -> &'static str {

@@ -1,0 +1,104 @@
+//! Couplings that are followed the other way: what a gear is read from is turned by it.
+
+use super::machine::{Machine, Places, machine};
+
+/// Angles are sums and multiples of a few numbers, arc tangents between them.
+const CLOSED: f64 = 1e-12;
+
+fn of(statements: &str) -> Machine {
+    machine(&format!("pub struct M {{ {statements} }}"))
+        .unwrap_or_else(|told| panic!("{statements}: {told:?}"))
+}
+
+fn angle(pins: &Places<f64>, [from, to]: [&str; 2]) -> f64 {
+    let at = |name: &str| pins.iter().find(|(known, _)| known == name).expect("a pin").1;
+    let ([x0, y0], [x1, y1]) = (at(from), at(to));
+    (y1 - y0).atan2(x1 - x0)
+}
+
+const PINION: [&str; 2] = ["A", "B"];
+const GEAR: [&str; 2] = ["D", "C"];
+
+/// Two wheels, the second read from the first: driven at the second, the first turns by the inverse.
+#[test]
+fn a_gear_that_is_driven_turns_its_pinion() {
+    const WHEELS: &str = "input t: angle; ground A(0, 0), D(3, 0); pin B(0.5, 0), C(3, 0.8); link pinion(A, B), gear(D, C);
+        drive gear.angle = t;";
+    for (coupling, inverse) in [
+        ("-2 * pinion.angle + 90deg", (|t| (t - 90_f64.to_radians()) / -2.0) as fn(f64) -> f64),
+        ("90deg - pinion.angle * 2 / 3", |t| (90_f64.to_radians() - t) * 1.5),
+        ("-(3 * (pinion.angle - 30deg))", |t| -t / 3.0 + 30_f64.to_radians()),
+        ("pinion.angle + 90deg", |t| t - 90_f64.to_radians()),
+        ("90deg + t + pinion.angle", |_| -90_f64.to_radians()),
+    ] {
+        let wheels = of(&format!("{WHEELS} drive gear.angle = {coupling};").replace(
+            "B(0.5, 0)",
+            if coupling.starts_with("90deg + t") { "B(0, -0.5)" } else { "B(0.5, 0)" },
+        ));
+        let drawn = wheels.mechanism.drawn.clone().expect("the drive determines it")[0];
+        for step in -8..=8 {
+            let t = drawn + 0.35 * f64::from(step);
+            let pins = wheels.pins::<f64>(&[t]);
+            for (line, wanted) in [(GEAR, t), (PINION, inverse(t))] {
+                let off = (angle(&pins, line) - wanted).sin();
+                assert!(off.abs() < CLOSED, "{coupling} at {t}: {line:?} {off:e}");
+            }
+        }
+    }
+}
+
+/// A four-bar driven at its rocker, and a wheel on the crank that it turns: the poses are those of the same machine driven at
+/// the wheel.
+#[test]
+fn a_machine_that_is_driven_behind_a_gear_has_the_poses_of_one_driven_in_front_of_it() {
+    const BARS: &str = "input t: angle; ground A(0, 0), D(4, 0), O(-2, 0); pin B(0.5, 0.9), C(3.2, 2.6), P(-2, 0.6);
+        link AB(A, B), BC(B, C), DC(D, C), wheel(O, P); drive AB.angle = 151deg - wheel.angle;";
+    let [forwards, backwards] = ["drive wheel.angle = t;", "drive DC.angle = t;"]
+        .map(|drive| of(&format!("{BARS} {drive}")));
+    // The crank comes to its dead point behind the last of them.
+    for degrees in [40, 60, 80, 90, 100] {
+        let pins = forwards.pins::<f64>(&[f64::from(degrees).to_radians()]);
+        let rocker = angle(&pins, ["D", "C"]);
+        let back = backwards.pins::<f64>(&[rocker]);
+        for (name, [x, y]) in &pins {
+            let [now_x, now_y] = back.iter().find(|(known, _)| known == name).expect("the pin").1;
+            let off = (now_x - x).hypot(now_y - y);
+            // The rocker's angle is known to some ε, and the crank turns about as fast.
+            assert!(off < 1e-11, "{name} at {degrees}: {off:e}");
+        }
+    }
+}
+
+/// A rack that is driven turns its pinion.
+#[test]
+fn a_rack_that_is_driven_turns_its_pinion() {
+    let rack = of("input s: length; ground O(0, 0); guide bed through (0, -0.2m) along 0deg; pin P(0.1m, 0), T(0.3m, -0.2m);
+        link pinion(O, P), rack(T) on bed; drive rack.slide = 0.3m + 0.1m * pinion.angle; drive rack.slide = s;");
+    for s in [0.2, 0.3, 0.55] {
+        let off = angle(&rack.pins::<f64>(&[s]), ["O", "P"]) - (s - 0.3) / 0.1;
+        assert!(off.sin().abs() < CLOSED, "{s}: {off:e}");
+    }
+}
+
+/// A slower wheel behind a link that a group turns: up to whole turns of the link, half turns of the wheel are not known.
+#[test]
+fn an_angle_that_is_known_up_to_whole_turns_is_not_divided() {
+    let told = machine(
+        "pub struct M { input t: angle; ground A(0, 0), D(4, 0), O(-2, 0); pin B(0.5, 0.9), C(3.2, 2.6), P(-2, 0.6);
+         link AB(A, B), BC(B, C), DC(D, C), wheel(O, P); drive AB.angle = -2 * wheel.angle + 151deg;
+         drive DC.angle = t; }",
+    );
+    let told = told.err().expect("half turns are not known");
+    assert!(told[0].contains("fight"), "{told:?}");
+}
+
+/// A coupling that no choice drives is told as it is written.
+#[test]
+fn a_coupling_too_many_is_one_too_many() {
+    let told = machine(
+        "pub struct M { input t: angle; ground A(0, 0), D(3, 0); pin B(0.5, 0), C(3, 0.8); link pinion(A, B), gear(D, C);
+         drive gear.angle = t; drive pinion.angle = t; drive gear.angle = -2 * pinion.angle + 90deg; }",
+    );
+    let told = told.err().expect("it is too much");
+    assert!(told[0].contains("fight"), "{told:?}");
+}
