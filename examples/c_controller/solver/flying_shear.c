@@ -5,7 +5,7 @@
 #include "flying_shear.h"
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0xfeed0290u
+#if LINKAGE_RUN_TIME != 0x8e0d7088u
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 

@@ -2,7 +2,7 @@
  * without rounding, and reasons. linkage_run.h says whose text this is. */
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0xfeed0290u
+#if LINKAGE_RUN_TIME != 0x8e0d7088u
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 
@@ -93,7 +93,7 @@ static float power_of_twof(int k)
 {
     const uint32_t bits = (uint32_t)(k + 127) << 23;
     float power;
-    memcpy(&power, &bits, sizeof power);
+    (void)memcpy(&power, &bits, sizeof power);
     return power;
 }
 
@@ -157,9 +157,9 @@ static double reported(LinkageWide by)
     uint32_t bits;
     uint64_t wide;
     double same;
-    memcpy(&bits, &normal, sizeof bits);
+    (void)memcpy(&bits, &normal, sizeof bits);
     wide = bits == 0u ? 0u : ((uint64_t)bits << 29) + (bias << 52);
-    memcpy(&same, &wide, sizeof same);
+    (void)memcpy(&same, &wide, sizeof same);
     return same;
 #else
     return (double)by;
@@ -376,7 +376,7 @@ static double power_of_two(int k)
     if (k < -1022) {
         return DBL_MIN / 2.0;
     }
-    memcpy(&power, &bits, sizeof power);
+    (void)memcpy(&power, &bits, sizeof power);
     return power;
 }
 
@@ -391,7 +391,7 @@ static int scale_of(Scale *scale, const double *numbers, int count)
         }
         largest = fabs(numbers[i]) > largest ? fabs(numbers[i]) : largest;
     }
-    memcpy(&bits, &largest, sizeof bits);
+    (void)memcpy(&bits, &largest, sizeof bits);
     exponent = (int)(bits >> 52);
     exponent = (exponent > 1 ? exponent : 1) - 1023;
     scale->down = power_of_two(-exponent);
@@ -412,9 +412,9 @@ static double slack_of(const LinkageWhy *why, const Scale *scale, double x)
 {
     uint64_t bits;
     double ulp, least;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     bits &= (uint64_t)0x7ff << 52;
-    memcpy(&ulp, &bits, sizeof ulp);
+    (void)memcpy(&ulp, &bits, sizeof ulp);
     ulp *= epsilon(why);
     if (scale->exponent <= -100) {
         least = smallest_normal(why) * epsilon(why) * scale->down;
@@ -663,7 +663,7 @@ static int exponent_of(float x)
     const int is_subnormal = x < FLT_MIN;
     uint32_t bits;
     x = is_subnormal ? x * 16777216.0f : x;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     return (int)(bits >> 23 & 0xffu) - (is_subnormal ? 127 + 24 : 127);
 }
 
@@ -788,7 +788,7 @@ static int circles_of(Circles *c, float dx, float dy, float l1, float l2)
 /* What is missing where a distance is not that of lengths in one line, the shorter with its sign. */
 static float missing_of(const Circles *c, float shorter)
 {
-    const float length = linkage_sqrtf(c->dx * c->dx + c->dy * c->dy) + (c->longer + shorter);
+    const float length = sqrtf(c->dx * c->dx + c->dy * c->dy) + (c->longer + shorter);
     const float missing = fabsf(value_of_excess(c->dx, c->dy, c->longer, shorter).high) / length;
     const float number = scaled(missing, -c->shift);
     /* The largest number where it is out of range. */
@@ -1003,6 +1003,7 @@ static LinkageWide reached(LinkageWhy *why, LinkageWide value, Reach reach, Link
         }
         break;
     case NO_NUMBER:
+    default:
         break;
     }
     return refuse(why, LINKAGE_NOT_FINITE, NULL, group, 0, value);
@@ -1042,6 +1043,7 @@ LinkageWide linkage_share_of_centres(LinkageWhy *why, LinkageWide value, Linkage
     case BEYOND:
     case COINCIDENT:
     case NO_NUMBER:
+    default:
         break;
     }
     return value;
@@ -1270,7 +1272,7 @@ static void multiplied(uint64_t mantissa, int start, uint32_t *product)
 {
     const int word = start / 32, shift = start % 32;
     int place, i;
-    memset(product, 0, 6 * sizeof *product);
+    (void)memset(product, 0, 6 * sizeof *product);
     for (place = 0; place < 2; place++) { /* at most 2 times */
         const uint64_t factor = place == 0 ? mantissa & 0xffffffffu : mantissa >> 32;
         uint64_t carry = 0;
@@ -1293,7 +1295,7 @@ static int quarters_of(double x, double rest[2])
     uint32_t p[6];
     double high, middle, sum;
     int count, is_above_half;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     mantissa = (bits & (((uint64_t)1 << 52) - 1u)) | (uint64_t)1 << 52;
     multiplied(mantissa, (int)(bits >> 52 & 0x7ffu) - 1013, p);
     first = (uint64_t)p[5] << 34 | (uint64_t)p[4] << 2 | p[3] >> 30;
@@ -1320,7 +1322,8 @@ LINKAGE_COLD void linkage_sin_cos_far(double x, double *to_sin, double *to_cos)
     double rest[2], product, error, r;
     int count;
     if (!linkage_is_finite(x)) {
-        *to_sin = *to_cos = x - x;
+        *to_sin = x - x;
+        *to_cos = *to_sin;
         return;
     }
     count = quarters_of(x, rest);
@@ -1358,7 +1361,7 @@ static int remainder_of(float x, float *r, float *excess)
     LinkagePair rest;
     Sum sum;
     int start, i, count, is_above_half;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     mantissa = (bits & 0x7fffffu) | 0x800000u;
     start = (int)(bits >> 23 & 0xffu) - (127 + 23 - 30);
     for (i = 3; i >= 0; i--) { /* at most 4 times */

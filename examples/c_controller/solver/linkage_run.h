@@ -10,13 +10,18 @@
 #define LINKAGE_RUN_H
 
 /* A hash of the whole run-time: sources that were printed with another one do not compile with it. */
-#define LINKAGE_RUN_TIME 0xfeed0290u
+#define LINKAGE_RUN_TIME 0x8e0d7088u
 
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+
+/* A header of yours that names functions of the target: sines, square roots, fused products. */
+#if defined(LINKAGE_HOOKS)
+#include LINKAGE_HOOKS
+#endif
 
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
@@ -30,7 +35,7 @@
  * them: refusals are the same, and no double is computed with. */
 #if defined(LINKAGE_NO_DOUBLE)
 typedef float LinkageWide;
-#elif DBL_MANT_DIG < 53
+#elif defined(DBL_MANT_DIG) && DBL_MANT_DIG < 53
 #error "double has fewer than 64 bits here: define LINKAGE_NO_DOUBLE for decisions in float, or as for avr-gcc 10 ask for -mdouble=64"
 #else
 typedef double LinkageWide;
@@ -67,10 +72,10 @@ typedef double LinkageWide;
 #endif
 
 /* Defined where one instruction multiplies and adds with one rounding. */
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__) || defined(LINKAGE_FMA_F64)
 #define LINKAGE_FUSES 1
 #endif
-#if defined(FP_FAST_FMAF) || defined(__FMA__) || defined(__aarch64__)
+#if defined(FP_FAST_FMAF) || defined(__FMA__) || defined(__aarch64__) || defined(LINKAGE_FMA_F32)
 #define LINKAGE_FUSESF 1
 #endif
 
@@ -221,14 +226,45 @@ float linkage_angle_near_f32(float cosine, float sine, float previous);
 
 #ifndef LINKAGE_NO_DOUBLE
 
+/* A target's own functions in double precision, as the caller's header names them, each with its error. */
+#if defined(LINKAGE_SIN_COS_F64)
+#if !defined(LINKAGE_SIN_COS_WITHIN_F64) || LINKAGE_SIN_COS_WITHIN_F64 < 10
+#error "LINKAGE_SIN_COS_F64 is wrong by 2^-n at most: define LINKAGE_SIN_COS_WITHIN_F64 as n, at least 10"
+#endif
+#endif
+#if defined(LINKAGE_SQRT_F64)
+#if !defined(LINKAGE_SQRT_PLACES_F64) || LINKAGE_SQRT_PLACES_F64 > 4
+#error "LINKAGE_SQRT_F64 is wrong by n last places at most: define LINKAGE_SQRT_PLACES_F64 as n, at most 4"
+#endif
+#endif
+
+static inline double linkage_sqrt(double x)
+{
+#if defined(LINKAGE_SQRT_F64)
+    return LINKAGE_SQRT_F64(x);
+#else
+    return sqrt(x);
+#endif
+}
+
+#ifdef LINKAGE_FUSES
+/* Rounded once, whatever computes it: errors of roundings rest on it. */
+static inline double linkage_fma(double a, double b, double c)
+{
+#if defined(LINKAGE_FMA_F64)
+    return LINKAGE_FMA_F64(a, b, c);
+#else
+    return fma(a, b, c);
+#endif
+}
+#endif
+
 /* In double precision. */
 
 static inline int linkage_is_finite(double x) { return fabs(x) <= DBL_MAX; }
 
 /* x has to be `bound` at most without its sign; a NaN is not. */
 static inline int linkage_is_within(double x, double bound) { return fabs(x) <= bound; }
-
-static inline double linkage_sqrt(double x) { return sqrt(x); }
 
 /* As right as those of <math.h>. */
 static inline double linkage_tan(double x) { return tan(x); }
@@ -251,7 +287,7 @@ static inline double linkage_rounding(double spread) { return 16.0 * DBL_EPSILON
 static inline double linkage_fused(double a, double b, double c)
 {
 #ifdef LINKAGE_FUSES
-    return fma(a, b, c);
+    return linkage_fma(a, b, c);
 #else
     return a * b + c;
 #endif
@@ -261,7 +297,7 @@ static inline double linkage_fused(double a, double b, double c)
 static inline double linkage_product_error(double a, double b, double product)
 {
 #ifdef LINKAGE_FUSES
-    return fma(a, b, -product);
+    return linkage_fma(a, b, -product);
 #else
     const double as = 134217729.0 * a, ah = as - (as - a), al = a - ah;
     const double bs = 134217729.0 * b, bh = bs - (bs - b), bl = b - bh;
@@ -282,7 +318,7 @@ static inline double linkage_det(double a, double b, double c, double d)
 {
     const double cd = c * d;
 #ifdef LINKAGE_FUSES
-    return fma(a, b, -cd) - fma(c, d, -cd);
+    return linkage_fma(a, b, -cd) - linkage_fma(c, d, -cd);
 #else
     const double ab = a * b;
     return (ab - cd) + (linkage_product_error(a, b, ab) - linkage_product_error(c, d, cd));
@@ -297,7 +333,7 @@ static inline double linkage_select(double a, double b, double x, double y) { re
 static inline int linkage_hypot_near(double x, double y, double least, double *length)
 {
     const double square = linkage_fused(x, x, y * y);
-    *length = sqrt(square);
+    *length = linkage_sqrt(square);
     return (square >= least) & (DBL_MAX >= square);
 }
 
@@ -316,9 +352,9 @@ static inline double linkage_times_polynomial(double x, const double *coefficien
 static inline double linkage_high_word(double s)
 {
     uint64_t bits;
-    memcpy(&bits, &s, sizeof bits);
+    (void)memcpy(&bits, &s, sizeof bits);
     bits = (uint64_t)(bits >> 32) << 32;
-    memcpy(&s, &bits, sizeof s);
+    (void)memcpy(&s, &bits, sizeof s);
     return s;
 }
 
@@ -344,7 +380,7 @@ static inline double linkage_asin(double x)
     high = linkage_high_word(s);
     rest = s - high;
 #ifdef LINKAGE_FUSES
-    missing = fma(-s, s, z);
+    missing = linkage_fma(-s, s, z);
 #else
     missing = (z - high * high) - rest * (s + high);
 #endif
@@ -400,7 +436,7 @@ static inline void linkage_turn(double sine, double cosine, double shifted, doub
     static const double quarters[5] = { -0.0, 1.0, 0.0, -1.0, -0.0 };
     double by_sin, by_cos;
     uint64_t bits;
-    memcpy(&bits, &shifted, sizeof bits);
+    (void)memcpy(&bits, &shifted, sizeof bits);
     by_sin = quarters[bits & 3u];
     by_cos = quarters[(bits & 3u) + 1u];
     *to_sin = linkage_fused(cosine, by_sin, sine * by_cos);
@@ -444,19 +480,21 @@ static inline void linkage_sin_cos_exact(double x, double *to_sin, double *to_co
 /* The same without what the remainder is rounded by, where operations are fused. */
 static inline void linkage_sin_cos_near(double x, double *to_sin, double *to_cos)
 {
-#ifdef LINKAGE_FUSES
-    const double shifted = fma(x, 0.6366197723675814, 6755399441055744.0);
+#if defined(LINKAGE_SIN_COS_F64)
+    LINKAGE_SIN_COS_F64(x, to_sin, to_cos);
+#elif defined(LINKAGE_FUSES)
+    const double shifted = linkage_fma(x, 0.6366197723675814, 6755399441055744.0);
     const double q = shifted - 6755399441055744.0;
-    const double r = fma(-q, 6.123233995736766e-17, fma(-q, 1.5707963267948966, x));
+    const double r = linkage_fma(-q, 6.123233995736766e-17, linkage_fma(-q, 1.5707963267948966, x));
     const double z = r * r, z2 = z * z;
-    const double s4 = fma(z, 1.5895433284842938e-10, -2.5050734389219857e-8);
-    const double s2 = fma(z, 2.7557313538514158e-6, -0.00019841269829358528);
-    const double s0 = fma(z, 0.00833333333332184, -0.1666666666666663);
-    const double c4 = fma(z, -1.1358716362024778e-11, 2.087570483459e-9);
-    const double c2 = fma(z, -2.7557314213561954e-7, 2.4801587288992887e-5);
-    const double c0 = fma(z, -0.0013888888888873333, 0.041666666666666595);
-    const double sine = fma(z * r, fma(z2, fma(z2, s4, s2), s0), r);
-    const double cosine = fma(z2, fma(z2, fma(z2, c4, c2), c0), fma(-0.5, z, 1.0));
+    const double s4 = linkage_fma(z, 1.5895433284842938e-10, -2.5050734389219857e-8);
+    const double s2 = linkage_fma(z, 2.7557313538514158e-6, -0.00019841269829358528);
+    const double s0 = linkage_fma(z, 0.00833333333332184, -0.1666666666666663);
+    const double c4 = linkage_fma(z, -1.1358716362024778e-11, 2.087570483459e-9);
+    const double c2 = linkage_fma(z, -2.7557314213561954e-7, 2.4801587288992887e-5);
+    const double c0 = linkage_fma(z, -0.0013888888888873333, 0.041666666666666595);
+    const double sine = linkage_fma(z * r, linkage_fma(z2, linkage_fma(z2, s4, s2), s0), r);
+    const double cosine = linkage_fma(z2, linkage_fma(z2, linkage_fma(z2, c4, c2), c0), linkage_fma(-0.5, z, 1.0));
     linkage_turn(sine, cosine, shifted, to_sin, to_cos);
 #else
     linkage_sin_cos_exact(x, to_sin, to_cos);
@@ -470,7 +508,11 @@ void linkage_sin_cos_far(double x, double *to_sin, double *to_cos);
 static inline void linkage_sin_cos(double x, double *to_sin, double *to_cos)
 {
     if (linkage_is_near(x)) {
+#if defined(LINKAGE_SIN_COS_F64)
+        LINKAGE_SIN_COS_F64(x, to_sin, to_cos);
+#else
         linkage_sin_cos_exact(x, to_sin, to_cos);
+#endif
     } else {
         linkage_sin_cos_far(x, to_sin, to_cos);
     }
@@ -480,7 +522,7 @@ static inline void linkage_sin_cos(double x, double *to_sin, double *to_cos)
  * is off by no more. */
 static inline int linkage_on_circle(double cosine, double sine, double *to_cos, double *to_sin)
 {
-    const double square = linkage_fused(cosine, cosine, sine * sine), inverse = 1.0 / sqrt(square);
+    const double square = linkage_fused(cosine, cosine, sine * sine), inverse = 1.0 / linkage_sqrt(square);
     *to_cos = cosine * inverse;
     *to_sin = sine * inverse;
     return (square >= 0.81) & (1.21 >= square);
@@ -488,14 +530,45 @@ static inline int linkage_on_circle(double cosine, double sine, double *to_cos, 
 
 #endif /* LINKAGE_NO_DOUBLE */
 
+/* A target's own functions in single precision, as the caller's header names them, each with its error. */
+#if defined(LINKAGE_SIN_COS_F32)
+#if !defined(LINKAGE_SIN_COS_WITHIN_F32) || LINKAGE_SIN_COS_WITHIN_F32 < 10
+#error "LINKAGE_SIN_COS_F32 is wrong by 2^-n at most: define LINKAGE_SIN_COS_WITHIN_F32 as n, at least 10"
+#endif
+#endif
+#if defined(LINKAGE_SQRT_F32)
+#if !defined(LINKAGE_SQRT_PLACES_F32) || LINKAGE_SQRT_PLACES_F32 > 4
+#error "LINKAGE_SQRT_F32 is wrong by n last places at most: define LINKAGE_SQRT_PLACES_F32 as n, at most 4"
+#endif
+#endif
+
+static inline float linkage_sqrtf(float x)
+{
+#if defined(LINKAGE_SQRT_F32)
+    return LINKAGE_SQRT_F32(x);
+#else
+    return sqrtf(x);
+#endif
+}
+
+#ifdef LINKAGE_FUSESF
+/* Rounded once, whatever computes it: errors of roundings rest on it. */
+static inline float linkage_fmaf(float a, float b, float c)
+{
+#if defined(LINKAGE_FMA_F32)
+    return LINKAGE_FMA_F32(a, b, c);
+#else
+    return fmaf(a, b, c);
+#endif
+}
+#endif
+
 /* In single precision. */
 
 static inline int linkage_is_finitef(float x) { return fabsf(x) <= FLT_MAX; }
 
 /* x has to be `bound` at most without its sign; a NaN is not. */
 static inline int linkage_is_withinf(float x, float bound) { return fabsf(x) <= bound; }
-
-static inline float linkage_sqrtf(float x) { return sqrtf(x); }
 
 /* As right as those of <math.h>. */
 static inline float linkage_tanf(float x) { return tanf(x); }
@@ -518,7 +591,7 @@ static inline float linkage_roundingf(float spread) { return 16.0f * FLT_EPSILON
 static inline float linkage_fusedf(float a, float b, float c)
 {
 #ifdef LINKAGE_FUSESF
-    return fmaf(a, b, c);
+    return linkage_fmaf(a, b, c);
 #else
     return a * b + c;
 #endif
@@ -528,7 +601,7 @@ static inline float linkage_fusedf(float a, float b, float c)
 static inline float linkage_product_errorf(float a, float b, float product)
 {
 #ifdef LINKAGE_FUSESF
-    return fmaf(a, b, -product);
+    return linkage_fmaf(a, b, -product);
 #else
     const float as = 4097.0f * a, ah = as - (as - a), al = a - ah;
     const float bs = 4097.0f * b, bh = bs - (bs - b), bl = b - bh;
@@ -549,7 +622,7 @@ static inline float linkage_detf(float a, float b, float c, float d)
 {
     const float cd = c * d;
 #ifdef LINKAGE_FUSESF
-    return fmaf(a, b, -cd) - fmaf(c, d, -cd);
+    return linkage_fmaf(a, b, -cd) - linkage_fmaf(c, d, -cd);
 #else
     const float ab = a * b;
     return (ab - cd) + (linkage_product_errorf(a, b, ab) - linkage_product_errorf(c, d, cd));
@@ -564,7 +637,7 @@ static inline float linkage_selectf(float a, float b, float x, float y) { return
 static inline int linkage_hypot_nearf(float x, float y, float least, float *length)
 {
     const float square = linkage_fusedf(x, x, y * y);
-    *length = sqrtf(square);
+    *length = linkage_sqrtf(square);
     return (square >= least) & (FLT_MAX >= square);
 }
 
@@ -583,9 +656,9 @@ static inline float linkage_times_polynomialf(float x, const float *coefficients
 static inline float linkage_high_wordf(float s)
 {
     uint32_t bits;
-    memcpy(&bits, &s, sizeof bits);
+    (void)memcpy(&bits, &s, sizeof bits);
     bits = (uint32_t)(bits >> 12) << 12;
-    memcpy(&s, &bits, sizeof s);
+    (void)memcpy(&s, &bits, sizeof s);
     return s;
 }
 
@@ -608,7 +681,7 @@ static inline float linkage_asinf(float x)
     high = linkage_high_wordf(s);
     rest = s - high;
 #ifdef LINKAGE_FUSESF
-    missing = fmaf(-s, s, z);
+    missing = linkage_fmaf(-s, s, z);
 #else
     missing = (z - high * high) - rest * (s + high);
 #endif
@@ -659,7 +732,7 @@ static inline void linkage_turnf(float sine, float cosine, float shifted, float 
     static const float quarters[5] = { -0.0f, 1.0f, 0.0f, -1.0f, -0.0f };
     float by_sin, by_cos;
     uint32_t bits;
-    memcpy(&bits, &shifted, sizeof bits);
+    (void)memcpy(&bits, &shifted, sizeof bits);
     by_sin = quarters[bits & 3u];
     by_cos = quarters[(bits & 3u) + 1u];
     *to_sin = linkage_fusedf(cosine, by_sin, sine * by_cos);
@@ -697,7 +770,11 @@ static inline void linkage_sin_cos_exactf(float x, float *to_sin, float *to_cos)
 
 static inline void linkage_sin_cos_nearf(float x, float *to_sin, float *to_cos)
 {
+#if defined(LINKAGE_SIN_COS_F32)
+    LINKAGE_SIN_COS_F32(x, to_sin, to_cos);
+#else
     linkage_sin_cos_exactf(x, to_sin, to_cos);
+#endif
 }
 
 /* The remainder of any other angle, r - excess, and its quarter turns; not numbers where the angle is none. */
@@ -714,7 +791,11 @@ static inline void linkage_sin_cos_farf(float x, float *to_sin, float *to_cos)
 static inline void linkage_sin_cosf(float x, float *to_sin, float *to_cos)
 {
     if (linkage_is_nearf(x)) {
+#if defined(LINKAGE_SIN_COS_F32)
+        LINKAGE_SIN_COS_F32(x, to_sin, to_cos);
+#else
         linkage_sin_cos_exactf(x, to_sin, to_cos);
+#endif
     } else {
         linkage_sin_cos_farf(x, to_sin, to_cos);
     }
@@ -724,7 +805,7 @@ static inline void linkage_sin_cosf(float x, float *to_sin, float *to_cos)
  * is off by no more. */
 static inline int linkage_on_circlef(float cosine, float sine, float *to_cos, float *to_sin)
 {
-    const float square = linkage_fusedf(cosine, cosine, sine * sine), inverse = 1.0f / sqrtf(square);
+    const float square = linkage_fusedf(cosine, cosine, sine * sine), inverse = 1.0f / linkage_sqrtf(square);
     *to_cos = cosine * inverse;
     *to_sin = sine * inverse;
     return (square >= 0.81f) & (1.21f >= square);
@@ -793,7 +874,7 @@ static inline LinkagePair linkage_pair_over(LinkagePair a, LinkagePair b)
 /* Nought of nought. */
 static inline LinkagePair linkage_pair_root(LinkagePair a)
 {
-    const float root = linkage_sqrtf(a.high);
+    const float root = sqrtf(a.high);
     const LinkagePair square = linkage_pair_product(root, root);
     const float rest = (a.high - square.high) + (a.low - square.low);
     return root > 0.0f ? linkage_pair_joined(root, rest / (root + root)) : linkage_pair(root, 0.0f);

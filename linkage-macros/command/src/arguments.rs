@@ -225,6 +225,12 @@ pub(crate) struct ReportArguments {
     /// End with status 1 where an error in this unit is not shown to be within: 1um
     #[arg(long, value_name = "ERROR")]
     pub within: Option<String>,
+    /// The error of the target's own sine and cosine, where printed C is compiled with these: 2^-20
+    #[arg(long, value_name = "ERROR")]
+    pub sine_error: Option<String>,
+    /// The error of its own square root in last places, likewise: 1
+    #[arg(long, value_name = "PLACES")]
+    pub sqrt_error: Option<String>,
     /// One width alone
     #[arg(long, value_parser = ["f32", "f64"])]
     pub width: Option<String>,

@@ -37,16 +37,19 @@ fn printed(folder: &Path, arguments: &[&str]) {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// All programs in C behind one strict compiler; nothing without one.
-fn program() -> Option<PathBuf> {
-    let folder = folder("bits");
+/// The printed sources in a folder.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("it is there").flatten();
+    let paths = entries.map(|entry| entry.path());
+    paths.filter(|path| path.extension().is_some_and(|ending| ending == "c")).collect()
+}
+
+/// All programs in C behind one strict compiler, with these flags; nothing without one.
+fn program(name: &str, more: &[&str]) -> Option<PathBuf> {
+    let folder = folder(name);
     printed(&folder, &["export", "c", "machines.rs", "-o", "."]);
-    fs::write(folder.join("caller.c"), source()).expect("a file can be written");
-    let sources: Vec<_> = fs::read_dir(&folder).expect("it is there").flatten().collect();
-    let sources = sources
-        .iter()
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|ending| ending == "c"));
+    let has_double = !more.contains(&WITHOUT_DOUBLE);
+    fs::write(folder.join("caller.c"), source(has_double)).expect("a file can be written");
     let strict = [
         "-std=c99",
         "-pedantic",
@@ -60,7 +63,8 @@ fn program() -> Option<PathBuf> {
         "-O2",
     ];
     let mut command = Command::new("cc");
-    command.args(strict).args(sources).args(["-lm", "-o", "caller"]).current_dir(&folder);
+    command.args(strict).args(more).args(sources(&folder)).current_dir(&folder);
+    command.args(["-lm", "-o", "caller"]);
     let Ok(output) = command.output() else {
         skipped("poses carried over in C: no cc");
         return None;
@@ -68,6 +72,8 @@ fn program() -> Option<PathBuf> {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     Some(folder.join("caller"))
 }
+
+const WITHOUT_DOUBLE: &str = "-DLINKAGE_NO_DOUBLE";
 
 /// SplitMix64, as in the other tests.
 struct Random(u64);
@@ -189,7 +195,7 @@ macro_rules! compare {
 
 #[test]
 fn c_has_the_bits_of_rust() {
-    let Some(program) = program() else { return };
+    let Some(program) = program("bits", &[]) else { return };
     compare! { &program;
         Arm ArmMotors ArmHand motors 2.0 "arm_motors_to_hand";
         Arm ArmHand ArmMotors hand 0.2 "arm_hand_to_motors";
@@ -202,6 +208,67 @@ fn c_has_the_bits_of_rust() {
         Bicycle BicycleLever BicycleShock lever 2.0 "bicycle_lever_to_shock";
         Bicycle BicycleLever BicycleWheel lever 2.0 "bicycle_lever_to_wheel";
     }
+}
+
+macro_rules! compare_without_double {
+    ($both:expr, $single:expr; $($machine:ident $from:ident $to:ident $set:ident $reach:literal $name:literal;)*) => {$({
+        let machine = $machine::<f32>::default();
+        let (given, ..) = in_rust::<_, $to<f32>, f32, { $from::<f64>::INPUTS.len() }>(
+            machine.$set(), $from::<f64>::DRAWN.into(), $reach, |x| x.to_ne_bytes().to_vec());
+        let name = concat!($name, "_all_f32");
+        let [with, without] = [$both, $single].map(|program| in_c(program, name, given.clone()));
+        // A refusal is a number alone, so that as many numbers are as many answers.
+        assert_eq!(with.len(), without.len(), "{name}");
+        let other = with.iter().zip(&without).filter(|(a, b)| a.to_bits() != b.to_bits()).count();
+        assert!(other * 200 <= with.len(), "{name}: {other} of {}", with.len());
+    })*};
+}
+
+/// Groups have the same sides without double precision, which no object asks for.
+#[test]
+fn poses_are_carried_over_without_double() {
+    let Some(both) = program("both", &[]) else { return };
+    let single = program("single", &[WITHOUT_DOUBLE]);
+    let single = single.expect("there is a compiler");
+    compare_without_double! { &both, &single;
+        Arm ArmMotors ArmHand motors 2.0 "arm_motors_to_hand";
+        Arm ArmHand ArmMotors hand 0.2 "arm_hand_to_motors";
+        Slider SliderCrankSide SliderPress crank_side 3.0 "slider_crank_side_to_press";
+        Slider SliderPress SliderCrankSide press 0.2 "slider_press_to_crank_side";
+        Bicycle BicycleShock BicycleWheel shock 0.1 "bicycle_shock_to_wheel";
+        Bicycle BicycleLever BicycleShock lever 2.0 "bicycle_lever_to_shock";
+    }
+    let folder = single.parent().expect("it stands in a folder");
+    let target = ["-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"];
+    for source in sources(folder).iter().filter(|path| !path.ends_with("caller.c")) {
+        let compiler = Command::new("arm-none-eabi-gcc")
+            .args(target)
+            .args(["-std=c99", "-O2", WITHOUT_DOUBLE, "-Wdouble-promotion", "-Werror", "-c"])
+            .arg(source)
+            .args(["-o", "object.o"])
+            .current_dir(folder)
+            .output();
+        let Ok(output) = compiler else {
+            return skipped("objects without software double: no arm-none-eabi-gcc");
+        };
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let mut names = Command::new("arm-none-eabi-nm");
+        let names = names.args(["-u", "object.o"]).current_dir(folder).output();
+        let names = names.expect("it comes with the compiler");
+        let names = String::from_utf8_lossy(&names.stdout).into_owned();
+        let of_double = ["__aeabi_d", "__aeabi_f2d", "__aeabi_i2d", "__aeabi_cd"];
+        let is_asked = of_double.iter().any(|name| names.contains(name));
+        assert!(!is_asked, "{}: {names}", source.display());
+    }
+}
+
+/// The function's text where there is double precision.
+fn with_double(text: &str) -> String {
+    let Some((before, rest)) = text.split_once("#ifdef LINKAGE_NO_DOUBLE") else {
+        return text.to_string();
+    };
+    let (_, rest) = rest.split_once("#else").expect("there is another way");
+    format!("{before}{rest}")
 }
 
 /// The bodies of the functions of this name.
@@ -223,10 +290,12 @@ fn what_is_carried_over_costs_little() {
     printed(&folder, &["export", "c", "machines.rs", "-o", ".", "--only", "f64,position"]);
     let read = |name: &str| fs::read_to_string(folder.join(name)).expect("it is printed");
     let (arm, slider) = (read("arm.c"), read("slider.c"));
-    for (source, function) in [(&arm, "double arm_larger"), (&slider, "double slider_larger")] {
+    for (source, function) in
+        [(&arm, "LinkageWide arm_larger"), (&slider, "LinkageWide slider_larger")]
+    {
         assert_eq!(operations(body(source, function)), 0);
     }
-    let across = operations(body(&arm, "LinkageStatus arm_across"));
+    let across = operations(&with_double(body(&arm, "LinkageStatus arm_across")));
     let along = operations(body(&slider, "LinkageStatus slider_along"));
     // The rounding is a constant.
     assert_eq!([across, along], [9, 6]);

@@ -68,6 +68,9 @@ struct FunctionRow {
     domain: &'static str,
 }
 
+/// The largest error of a sine and a cosine that a target brings: the fast path asks what any within it need.
+pub(crate) const HOOKED_SINE: f64 = 1.0 / 1024.0;
+
 /// The order of [`Function`].
 const ROWS: [FunctionRow; 17] = {
     use Function::{
@@ -188,6 +191,11 @@ impl Function {
     /// True if the argument is reduced by turns, which takes words of π.
     pub(crate) const fn reduces_turns(self) -> bool {
         matches!(self, Self::Sin | Self::Cos)
+    }
+
+    /// True if the value is a square root.
+    pub(crate) const fn takes_a_root(self) -> bool {
+        matches!(self, Self::Sqrt | Self::Hypot)
     }
 
     /// True if a dimension may depend on the function.

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Counts the instructions of a call of printed C on an emulated Cortex-M4F: the `motion_f32` of the manual's flying shear, a
-four-bar with a parameter, in 72 poses. No call of the fast path may take more than MOST, or copy or clear memory.
+four-bar with a parameter, in 72 poses. No call of the fast path may take more than MOST, or copy or clear memory. And the
+bytes of a program that calls the example's `motion_f32` alone, without double: no more than LARGEST.
 
 Optional; needs arm-none-eabi-gcc with newlib, and qemu-system-arm. Debian has them: gcc-arm-none-eabi,
 libnewlib-arm-none-eabi, qemu-system-arm. The program `linkage` is the argument:
@@ -18,6 +19,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 HERE = ROOT / "tests/bare/cortex_m4"
 MOST = 270
+LARGEST = 8000
 FLAGS = ["-std=c99", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard", "-ffunction-sections",
          "--specs=nano.specs", "--specs=nosys.specs", "-nostartfiles", f"-T{HERE / 'memory.x'}", "-Wl,--gc-sections",
          "-Wl,--no-warn-rwx-segments"]
@@ -34,6 +36,16 @@ int main(void)
         status |= (int)flying_shear_motion_f32(&shear, 0.0872664626f * (float)i, 12.0f, 0.5f, &motion, &error);
     }
     return status;
+}
+"""
+
+ALONE = """
+#include "flying_shear.h"
+int main(void)
+{
+    FlyingShearMotionF32 motion;
+    LinkageError error;
+    return (int)flying_shear_motion_f32(0.3f, 12.0f, 0.5f, &motion, &error);
 }
 """
 
@@ -71,6 +83,17 @@ def counts(folder, *level):
     return calls
 
 
+def alone(folder):
+    """Code and constants of a program that calls one function, with what a C library puts beside it."""
+    solver, source, program = ROOT / "examples/c_controller/solver", folder / "alone.c", folder / "alone"
+    source.write_text(ALONE)
+    flags = [flag for flag in FLAGS if flag != "-nostartfiles" and not flag.startswith("-T")]
+    subprocess.run(["arm-none-eabi-gcc", *flags, "-Os", "-fdata-sections", "-DLINKAGE_NO_DOUBLE", f"-I{solver}", source,
+                    *solver.glob("*.c"), "-lm", "-o", program], check=True, stderr=subprocess.DEVNULL)
+    told = subprocess.run(["arm-none-eabi-size", program], check=True, text=True, capture_output=True).stdout
+    return int(told.splitlines()[1].split()[0])
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -84,6 +107,10 @@ def main():
             met = {name for call in calls for name in call}
             if max(totals) > MOST or met & {"memcpy", "memset"} or len(calls) != 72:
                 raise SystemExit(f"more than {MOST}, or memory is copied or cleared: {sorted(met)}")
+        bytes_of_it = alone(folder)
+        print(f"{FUNCTION} alone, without double: {bytes_of_it} bytes")
+        if bytes_of_it > LARGEST:
+            raise SystemExit(f"more than {LARGEST}")
 
 
 if __name__ == "__main__":

@@ -22,6 +22,8 @@ pub(crate) fn run(arguments: &arguments::ReportArguments) -> Result<(), Failure>
     options.rate = pairs(&arguments.rate)?;
     options.only = arguments.only.clone();
     options.within = arguments.within.clone();
+    options.sine_error = arguments.sine_error.clone();
+    options.root_error = arguments.sqrt_error.clone();
     let make = |declaration| linkage_compiler::report(declaration, &options);
     let reports = program.all(make)?;
     // Single precision first: it is what is asked about.

@@ -210,7 +210,8 @@ fn both(sign: &str, a: Value, b: Value) -> Result<Value, Stopped> {
 
 fn arithmetic(sign: &str, a: Value, b: Value) -> Result<Value, Stopped> {
     let zero = |value: &Value| matches!(value, Value::Literal(0.0));
-    let told = format!("{a:?} {sign} {b:?}");
+    // A text a product would take most of the time.
+    let told = || format!("{a:?} {sign} {b:?}");
     let value = match (&a, &b) {
         (Value::Lreal(x), Value::Lreal(y)) => Value::Lreal(computed(sign, *x, *y)),
         (Value::Real(x), Value::Real(y)) => Value::Real(computed(sign, *x, *y)),
@@ -218,7 +219,7 @@ fn arithmetic(sign: &str, a: Value, b: Value) -> Result<Value, Stopped> {
         (Value::Real(x), _) if zero(&b) => Value::Real(computed(sign, *x, 0.0)),
         (_, Value::Lreal(y)) if zero(&a) => Value::Lreal(computed(sign, 0.0, *y)),
         (_, Value::Real(y)) if zero(&a) => Value::Real(computed(sign, 0.0, *y)),
-        _ => panic!("{told}: of two types"),
+        _ => panic!("{}: of two types", told()),
     };
     finite(value, told)
 }
@@ -238,8 +239,8 @@ where
     }
 }
 
-fn finite(value: Value, told: String) -> Result<Value, Stopped> {
-    if value.number().is_finite() { Ok(value) } else { Err(told) }
+fn finite(value: Value, told: impl Fn() -> String) -> Result<Value, Stopped> {
+    if value.number().is_finite() { Ok(value) } else { Err(told()) }
 }
 
 /// A function of the language. Those that no kernel computes are the system's, as in C.
@@ -265,13 +266,13 @@ fn standard(name: &str, given: &[Value]) -> Result<Value, Stopped> {
         "SIN" => |x, _| x.sin(),
         _ => |x, _| x.cos(),
     };
-    let told = format!("{name} of {given:?}");
+    let told = || format!("{name} of {given:?}");
     let value = match given {
         [Value::Lreal(x)] => Value::Lreal(wide(*x, 0.0)),
         [Value::Real(x)] => Value::Real(narrow(*x, 0.0)),
         [Value::Lreal(x), Value::Lreal(y)] => Value::Lreal(wide(*x, *y)),
         [Value::Real(x), Value::Real(y)] => Value::Real(narrow(*x, *y)),
-        _ => panic!("{told}"),
+        _ => panic!("{}", told()),
     };
     finite(value, told)
 }

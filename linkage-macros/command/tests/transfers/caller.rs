@@ -81,10 +81,13 @@ fn caller(pair: &Pair, is_single: bool) -> String {
     )
 }
 
-pub(crate) fn source() -> String {
+/// The program, with functions of both widths or of single precision alone.
+pub(crate) fn source(has_double: bool) -> String {
+    let widths = if has_double { &[false, true][..] } else { &[true] };
     let mut text = "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n#include \"arm.h\"\n#include \"bicycle.h\"\n#include \"slider.h\"\n"
         .to_string();
-    for real in ["double", "float"] {
+    for &is_single in widths {
+        let real = if is_single { "float" } else { "double" };
         write!(
             text,
             "\nstatic void put_{real}(LinkageStatus status, const {real} *numbers, size_t count)\n{{\nconst double told = (double)status;\nfwrite(&told, sizeof told, 1, stdout);\n\
@@ -93,10 +96,13 @@ pub(crate) fn source() -> String {
         .expect("a text can be written");
     }
     text += "\n";
-    PAIRS.iter().for_each(|pair| text += &(caller(pair, false) + &caller(pair, true)));
+    for pair in &PAIRS {
+        widths.iter().for_each(|&is_single| text += &caller(pair, is_single));
+    }
     text += "int main(int count, char **words)\n{\nconst long poses = count > 2 ? atol(words[2]) : 0;\n";
     for Pair { function, .. } in &PAIRS {
-        for tail in ["_f64", "_f32"] {
+        for &is_single in widths {
+            let tail = if is_single { "_f32" } else { "_f64" };
             let name = format!("{function}_all{tail}");
             text += &format!(
                 "if (count > 1 && strcmp(words[1], \"{name}\") == 0) {{\n{name}(poses);\n}}\n"

@@ -11,7 +11,7 @@ mod tests;
 
 use super::interval::Interval;
 use crate::exact::Exact;
-use crate::function::Function;
+use crate::function::{Function, HOOKED_SINE};
 use crate::ir::check::{Comparison, Least};
 use crate::ir::graph::{Graph, Guard, Id, Node};
 use crate::ir::hash::Map;
@@ -51,6 +51,9 @@ impl Assumed {
 /// value, by the unguarded node. Zero where the sign is enough, and `None` where no test is left.
 pub(crate) type Thresholds = Map<Id, Option<f64>>;
 
+/// The thresholds of guards, and the least lengths of hypotenuses.
+pub(crate) type AskedSizes = (Thresholds, Map<Id, f64>);
+
 /// More than the relative error of any operation in either width.
 const SLACK: f64 = 1e-6;
 
@@ -81,10 +84,25 @@ impl<'a> Values<'a> {
 
     /// The thresholds of all guards under the limits, if every live value is bounded, and the least
     /// lengths of hypotenuses.
-    pub(crate) fn thresholds(&self, limits: &Assumed) -> Option<(Thresholds, Map<Id, f64>)> {
+    pub(crate) fn thresholds(&self, limits: &Assumed) -> Option<AskedSizes> {
+        let own = self.within(limits, 0.0, None)?;
+        // Guards that the run-time's sine alone shows are asked all the same: a target may bring another one.
+        let (hooked, _) = self.within(limits, HOOKED_SINE, Some(&own))?;
+        let (thresholds, lengths) = own;
+        let of_any = |&(id, asked): &(Id, Option<f64>)| (id, asked.or(hooked[&id]));
+        Some((thresholds.iter().map(of_any).collect(), lengths))
+    }
+
+    /// The same for sines and cosines of this error, where these sizes are asked already.
+    fn within(
+        &self,
+        limits: &Assumed,
+        error: f64,
+        asked: Option<&AskedSizes>,
+    ) -> Option<AskedSizes> {
         let (graph, ranges) = (self.graph, self.constants.clone());
         let (thresholds, lengths) = (Map::default(), Map::default());
-        let mut bounds = Bounds { graph, limits, ranges, thresholds, lengths };
+        let mut bounds = Bounds { graph, limits, error, asked, ranges, thresholds, lengths };
         for &(id, node) in &self.live {
             let range = match bounds.of(id) {
                 Some(constant) => constant,
@@ -102,6 +120,10 @@ impl<'a> Values<'a> {
 struct Bounds<'a> {
     graph: &'a Graph,
     limits: &'a Assumed,
+    /// The error of a sine and a cosine.
+    error: f64,
+    /// Sizes that are asked whatever is found here.
+    asked: Option<&'a AskedSizes>,
     ranges: Vec<Option<Interval>>,
     thresholds: Thresholds,
     lengths: Map<Id, f64>,
@@ -118,7 +140,7 @@ impl Bounds<'_> {
             Node::Constant(_) | Node::Low(_) => return None,
             Node::Input { order: 0 | 1, .. } => Interval::about(limits.input),
             Node::Input { .. } => Interval::about(limits.input * limits.input),
-            Node::InputCos(_) | Node::InputSin(_) => Interval::about(1.0).rounded(),
+            Node::InputCos(_) | Node::InputSin(_) => Interval::about(1.0 + self.error).rounded(),
             // A parameter can be anything, and so can a load.
             Node::Param(_) | Node::Load(_) | Node::Drive(_) => return None,
             // Values that a search makes of the inputs are not followed.
@@ -139,6 +161,7 @@ impl Bounds<'_> {
                 // The fast path asks for squares of full precision, or for a share of the largest.
                 let high = self.of(a)?.largest() + self.of(b)?.largest();
                 let least = limits.square.sqrt().max(limits.share * high).min(high);
+                let least = self.asked.map_or(least, |(_, lengths)| lengths[&id]);
                 self.lengths.insert(id, least);
                 Interval::of(least, high).rounded()
             }
@@ -147,7 +170,9 @@ impl Bounds<'_> {
             Node::Apply(function, _) | Node::Apply2(function, ..) => {
                 let mut is_bounded = true;
                 node.for_operands(&mut |operand| is_bounded &= self.of(operand).is_some());
-                Interval::about(function.largest().filter(|_| is_bounded)?).rounded()
+                let largest = function.largest().filter(|_| is_bounded)?;
+                let error = if function.reduces_turns() { self.error } else { 0.0 };
+                Interval::about(largest + error).rounded()
             }
             Node::Guard(value, guard) => self.guarded(value, self.graph.condition(guard))?,
         })
@@ -196,13 +221,14 @@ impl Bounds<'_> {
             }
             Least::Zero => share,
         };
+        let id = unguarded(self.graph, value);
+        let least = self.asked.and_then(|(asked, _)| asked[&id]).unwrap_or(least);
         let known = if comparison == Comparison::Away { range.away } else { range.low };
         // No threshold is below zero.
         let threshold = (known <= least).then_some(least);
         if range.largest() <= least {
             return None;
         }
-        let id = unguarded(self.graph, value);
         let asked = self.thresholds.or_insert(id, threshold);
         // Asked more than once, a value is asked for the most.
         *asked = match (*asked, threshold) {

@@ -7,7 +7,7 @@
 //! | product, quotient, root | half a last place; of a product by a power of two what underflow takes |
 //! | fused operation | that of its two parts, which is above that of one |
 //! | a·b − c·d | 1.5 last places (Jeannerod, Louvet and Muller 2013), and underflow of its products |
-//! | functions | what the run-time's kernels promise |
+//! | functions | what the run-time's kernels promise, or the target's in their place |
 //! | the rounding of a product or a sum | minus the error of that operation |
 //! | constants, decimals | known, with their sign |
 //!
@@ -114,11 +114,19 @@ fn of_sum(a: OutwardInterval, b: OutwardInterval) -> f64 {
     a.magnitude().min(b.magnitude())
 }
 
-/// A kernel's promise, in last places of the largest value.
+/// A kernel's promise, in last places of the largest value; that of the target's function where there is one.
 fn promised(subject: &Goal<'_>, function: Function, size: f64, argument: f64) -> f64 {
-    let Some((last_places, beside)) = subject.width.promised(function, argument) else {
+    let hooks = &subject.given.hooks;
+    if let (Some(error), true) = (hooks.sine, function.reduces_turns()) {
+        return error;
+    }
+    let Some((mut last_places, beside)) = subject.width.promised(function, argument) else {
         return f64::INFINITY;
     };
+    if let (Some(root), true) = (hooks.root, function.takes_a_root()) {
+        // That of the run-time is rounded once, to half a last place.
+        last_places += (root - 0.5).max(0.0);
+    }
     above(2.0 * last_places * subject.width.half_last_place(size)) + beside
 }
 

@@ -24,9 +24,20 @@ pub(crate) struct Premises {
     pub params: Vec<Leaf>,
     pub loads: Vec<Leaf>,
     pub drives: Vec<Leaf>,
+    /// Functions of the target's in place of the run-time's.
+    pub hooks: Hooks,
     /// True if results are wanted for all rates, as multiples of these: then the error of what depends on a rate is
     /// relative.
     pub scales_with_rates: bool,
+}
+
+/// The errors of functions that a target brings, where it brings any.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Hooks {
+    /// The error of sine and cosine.
+    pub sine: Option<f64>,
+    /// The error of the square root, in last places.
+    pub root: Option<f64>,
 }
 
 impl Leaf {

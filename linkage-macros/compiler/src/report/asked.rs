@@ -5,6 +5,7 @@ use syn::ext::IdentExt;
 use super::ReportOptions;
 use crate::diagnostics::{Diagnostics, nearest};
 use crate::exact::Exact;
+use crate::function::HOOKED_SINE;
 use crate::interface::EntryId;
 use crate::interface::entries::{Analysis, Topic};
 use crate::interface::quantity::Order;
@@ -13,7 +14,7 @@ use crate::lower::routine::Lowered;
 use crate::model;
 use crate::model::mechanism::{Dimension, Mechanism, ParamKind, Sign};
 use crate::prove::outward::OutwardInterval;
-use crate::prove::premises::{Leaf, Premises};
+use crate::prove::premises::{Hooks, Leaf, Premises};
 use crate::prove::sloped::INPUTS;
 
 /// See the module's documentation.
@@ -43,6 +44,9 @@ struct RequestReader<'a> {
 
 /// Angles beyond are not followed, in rad: thousands of turns, where neighbouring `f32` are a degree apart.
 const LARGEST_ANGLE: f64 = 50_000.0;
+
+/// The largest error of a target's own square root, in last places.
+const MOST_LAST_PLACES: f64 = 4.0;
 
 impl Asked {
     pub(super) fn of(
@@ -85,9 +89,11 @@ impl Asked {
         let drives = vec![Leaf::ZERO; mechanism.inputs.len()];
         reader.ranges_are_few()?;
         let within = reader.within()?;
+        let hooks = reader.hooks()?;
         let RequestReader { ranges, ends, words, .. } = reader;
         let scales_with_rates = rates.is_none();
-        let given = Premises { ranges: ends, inputs, params, loads, drives, scales_with_rates };
+        let given =
+            Premises { ranges: ends, inputs, params, loads, drives, hooks, scales_with_rates };
         Some(Self { entries, ranges, given, rates, words, within })
     }
 
@@ -284,6 +290,35 @@ impl RequestReader<'_> {
         }
     }
 
+    /// The errors of the target's own functions.
+    fn hooks(&mut self) -> Option<Hooks> {
+        let ReportOptions { sine_error, root_error, .. } = self.options;
+        let sine = self.error_of(sine_error.as_deref(), HOOKED_SINE, "a sine", "2^-20")?;
+        let root = self.error_of(root_error.as_deref(), MOST_LAST_PLACES, "a square root", "1")?;
+        self.words.extend(sine_error.iter().map(|text| format!("sines within {text}")));
+        let places = root_error.iter().map(|text| format!("roots within {text} last places"));
+        self.words.extend(places);
+        Some(Hooks { sine, root })
+    }
+
+    fn error_of(
+        &mut self,
+        text: Option<&str>,
+        most: f64,
+        of: &str,
+        as_in: &str,
+    ) -> Option<Option<f64>> {
+        let Some(text) = text else { return Some(None) };
+        match number(text) {
+            Some(error) if (0.0..=most).contains(&error) => Some(Some(error)),
+            _ => {
+                let message = format!("write the error of {of} as `{as_in}` in place of `{text}`");
+                self.error(message, &format!("it is a number, {most} at most"))?;
+                None
+            }
+        }
+    }
+
     fn value(&mut self, name: &str, text: &str, wanted: Dimension) -> Option<Exact> {
         match value(text, wanted) {
             Ok(value) => Some(value),
@@ -292,6 +327,14 @@ impl RequestReader<'_> {
                 None
             }
         }
+    }
+}
+
+/// A number, or a power of two as `2^-20`.
+fn number(text: &str) -> Option<f64> {
+    match text.trim().strip_prefix("2^") {
+        Some(power) => power.parse().ok().map(|power| 2f64.powi(power)),
+        None => text.trim().parse().ok(),
     }
 }
 

@@ -50,6 +50,10 @@ pub struct ReportOptions {
     pub only: Vec<String>,
     /// The largest error that is wished for, `1um`.
     pub within: Option<String>,
+    /// The error of the target's own sine and cosine, `2^-20`, where printed C calls these.
+    pub sine_error: Option<String>,
+    /// The error of its own square root in last places, `1`.
+    pub root_error: Option<String>,
 }
 
 /// See the module's documentation.

@@ -52,9 +52,10 @@ fn plain_header() -> String {
         (Width::Double, include_str!("run/sin_cos_f64.h")),
         (Width::Single, include_str!("run/sin_cos_f32.h")),
     ] {
+        let hooks = of_width(include_str!("run/hooks.h"), width);
         let numbers = of_width(include_str!("run/numbers.h"), width);
         let directions = of_width(include_str!("run/directions.h"), width);
-        header += &where_it_is(width, &[&numbers, near, &directions].concat());
+        header += &where_it_is(width, &[&hooks, &numbers, near, &directions].concat());
     }
     header += include_str!("run/pairs.h");
     let (foot, end) =
@@ -160,11 +161,12 @@ fn of_width(text: &str, width: Width) -> String {
     words.iter().fold(text.to_string(), |text, (general, own)| text.replace(general, own))
 }
 
-type Spelling = [(&'static str, &'static str); 14];
+type Spelling = [(&'static str, &'static str); 15];
 
 const DOUBLE: Spelling = [
     ("TYPE", "double precision"),
     ("LINKAGE_FUSES_", "LINKAGE_FUSES"),
+    ("OF_WIDTH", "F64"),
     ("LEAST_", "DBL_"),
     ("SPLITTER", "134217729.0"),
     ("HALF_OF_BITS", "32"),
@@ -199,6 +201,7 @@ const DOUBLE: Spelling = [
 const SINGLE: Spelling = [
     ("TYPE", "single precision"),
     ("LINKAGE_FUSES_", "LINKAGE_FUSESF"),
+    ("OF_WIDTH", "F32"),
     ("LEAST_", "FLT_"),
     ("SPLITTER", "4097.0f"),
     ("HALF_OF_BITS", "12"),

@@ -67,6 +67,19 @@ fn what_is_known_to_be_large_is_not_asked() {
     assert_eq!(sample.thresholds(&WIDE).unwrap()[&square], None);
 }
 
+/// A target's sine may be wrong by a 1024th: 2 + 2 cos may then be -0.00195.
+#[test]
+fn what_the_own_sine_alone_shows_is_asked() {
+    let mut sample = sample();
+    for (least, is_asked) in [(0.001, true), (0.003, false)] {
+        let square = sample.affine(2.0 + least, 2.0);
+        let sound = sample.guard(square, Check::Square);
+        let one = sample.number(1.0);
+        sample.push(Node::Div(one, sound));
+        assert_eq!(sample.thresholds(&WIDE).unwrap()[&square].is_some(), is_asked, "{least}");
+    }
+}
+
 #[test]
 fn a_divisor_that_may_vanish_has_a_threshold_and_a_root_has_not() {
     let mut sample = sample();

@@ -7,7 +7,7 @@ use crate::model::mechanism::{Mechanism, ParamKind, Sign};
 use crate::oracle::mechanism;
 use crate::passes;
 use crate::prove::outward::OutwardInterval;
-use crate::prove::premises::{Leaf, Premises};
+use crate::prove::premises::{Hooks, Leaf, Premises};
 
 /// A machine, and the range of each input that its bounds are wanted over.
 pub(crate) struct Machine {
@@ -171,6 +171,7 @@ pub(crate) fn case(source: &str, ranges: &[[f64; 2]], entry: &str, rates: [f64; 
     let [rate, second] = rates.map(|rate| Leaf::Within(OutwardInterval::point(rate)));
     let inputs = (0..ranges.len()).map(|input| [Leaf::Ranged(input), rate.clone(), second.clone()]);
     let given = Premises {
+        hooks: Hooks::default(),
         ranges: ranges.to_vec(),
         inputs: inputs.collect(),
         params: mechanism.params.iter().map(|param| leaf(&param.kind)).collect(),

@@ -56,10 +56,10 @@ static fmi3Status discard(const Instance *instance, const LinkageError *error)
     const size_t kept = length < 200 ? length : 200;
     const char *const why = (size_t)error->status < sizeof reasons / sizeof *reasons ? reasons[error->status] : "is refused";
     if (who != NULL) {
-        memcpy(message, who, kept);
+        (void)memcpy(message, who, kept);
     }
     message[kept] = ' ';
-    memcpy(message + kept + 1, why, strlen(why) + 1);
+    (void)memcpy(message + kept + 1, why, strlen(why) + 1);
     if (instance->log != NULL) {
         instance->log(instance->environment, fmi3Discard, "logStatusDiscard", message);
     }
@@ -83,11 +83,11 @@ static fmi3Status evaluated(Instance *instance, size_t group)
     return fmi3OK;
 }
 
-static void forget(Instance *instance) { memset(instance->is_evaluated, 0, sizeof instance->is_evaluated); }
+static void forget(Instance *instance) { (void)memset(instance->is_evaluated, 0, sizeof instance->is_evaluated); }
 
 static void reset(Instance *instance)
 {
-    memcpy(instance->v, START, sizeof START);
+    (void)memcpy(instance->v, START, sizeof START);
     forget(instance);
 }
 

@@ -47,9 +47,9 @@ static double reported(LinkageWide by)
     uint32_t bits;
     uint64_t wide;
     double same;
-    memcpy(&bits, &normal, sizeof bits);
+    (void)memcpy(&bits, &normal, sizeof bits);
     wide = bits == 0u ? 0u : ((uint64_t)bits << 29) + (bias << 52);
-    memcpy(&same, &wide, sizeof same);
+    (void)memcpy(&same, &wide, sizeof same);
     return same;
 #else
     return (double)by;

@@ -41,7 +41,7 @@ static double power_of_two(int k)
     if (k < -1022) {
         return DBL_MIN / 2.0;
     }
-    memcpy(&power, &bits, sizeof power);
+    (void)memcpy(&power, &bits, sizeof power);
     return power;
 }
 
@@ -56,7 +56,7 @@ static int scale_of(Scale *scale, const double *numbers, int count)
         }
         largest = fabs(numbers[i]) > largest ? fabs(numbers[i]) : largest;
     }
-    memcpy(&bits, &largest, sizeof bits);
+    (void)memcpy(&bits, &largest, sizeof bits);
     exponent = (int)(bits >> 52);
     exponent = (exponent > 1 ? exponent : 1) - 1023;
     scale->down = power_of_two(-exponent);
@@ -77,9 +77,9 @@ static double slack_of(const LinkageWhy *why, const Scale *scale, double x)
 {
     uint64_t bits;
     double ulp, least;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     bits &= (uint64_t)0x7ff << 52;
-    memcpy(&ulp, &bits, sizeof ulp);
+    (void)memcpy(&ulp, &bits, sizeof ulp);
     ulp *= epsilon(why);
     if (scale->exponent <= -100) {
         least = smallest_normal(why) * epsilon(why) * scale->down;

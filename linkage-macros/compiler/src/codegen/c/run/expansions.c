@@ -58,7 +58,7 @@ static int exponent_of(float x)
     const int is_subnormal = x < FLT_MIN;
     uint32_t bits;
     x = is_subnormal ? x * 16777216.0f : x;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     return (int)(bits >> 23 & 0xffu) - (is_subnormal ? 127 + 24 : 127);
 }
 

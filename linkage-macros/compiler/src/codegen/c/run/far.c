@@ -16,7 +16,7 @@ static void multiplied(uint64_t mantissa, int start, uint32_t *product)
 {
     const int word = start / 32, shift = start % 32;
     int place, i;
-    memset(product, 0, 6 * sizeof *product);
+    (void)memset(product, 0, 6 * sizeof *product);
     for (place = 0; place < 2; place++) { /* at most 2 times */
         const uint64_t factor = place == 0 ? mantissa & 0xffffffffu : mantissa >> 32;
         uint64_t carry = 0;
@@ -39,7 +39,7 @@ static int quarters_of(double x, double rest[2])
     uint32_t p[6];
     double high, middle, sum;
     int count, is_above_half;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     mantissa = (bits & (((uint64_t)1 << 52) - 1u)) | (uint64_t)1 << 52;
     multiplied(mantissa, (int)(bits >> 52 & 0x7ffu) - 1013, p);
     first = (uint64_t)p[5] << 34 | (uint64_t)p[4] << 2 | p[3] >> 30;
@@ -66,7 +66,8 @@ LINKAGE_COLD void linkage_sin_cos_far(double x, double *to_sin, double *to_cos)
     double rest[2], product, error, r;
     int count;
     if (!linkage_is_finite(x)) {
-        *to_sin = *to_cos = x - x;
+        *to_sin = x - x;
+        *to_cos = *to_sin;
         return;
     }
     count = quarters_of(x, rest);
@@ -104,7 +105,7 @@ static int remainder_of(float x, float *r, float *excess)
     LinkagePair rest;
     Sum sum;
     int start, i, count, is_above_half;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     mantissa = (bits & 0x7fffffu) | 0x800000u;
     start = (int)(bits >> 23 & 0xffu) - (127 + 23 - 30);
     for (i = 3; i >= 0; i--) { /* at most 4 times */

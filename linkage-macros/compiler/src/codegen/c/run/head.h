@@ -18,6 +18,11 @@
 #include <stdint.h>
 #include <string.h>
 
+/* A header of yours that names functions of the target: sines, square roots, fused products. */
+#if defined(LINKAGE_HOOKS)
+#include LINKAGE_HOOKS
+#endif
+
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "a refusal rests on NaN and on exact rounding: compile without -ffast-math"
@@ -30,7 +35,7 @@
  * them: refusals are the same, and no double is computed with. */
 #if defined(LINKAGE_NO_DOUBLE)
 typedef float LinkageWide;
-#elif DBL_MANT_DIG < 53
+#elif defined(DBL_MANT_DIG) && DBL_MANT_DIG < 53
 #error "double has fewer than 64 bits here: define LINKAGE_NO_DOUBLE for decisions in float, or as for avr-gcc 10 ask for -mdouble=64"
 #else
 typedef double LinkageWide;
@@ -67,10 +72,10 @@ typedef double LinkageWide;
 #endif
 
 /* Defined where one instruction multiplies and adds with one rounding. */
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__) || defined(LINKAGE_FMA_F64)
 #define LINKAGE_FUSES 1
 #endif
-#if defined(FP_FAST_FMAF) || defined(__FMA__) || defined(__aarch64__)
+#if defined(FP_FAST_FMAF) || defined(__FMA__) || defined(__aarch64__) || defined(LINKAGE_FMA_F32)
 #define LINKAGE_FUSESF 1
 #endif
 

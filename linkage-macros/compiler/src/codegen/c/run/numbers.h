@@ -6,8 +6,6 @@ static inline int linkage_is_finite@(REAL x) { return fabs@(x) <= LEAST_MAX; }
 /* x has to be `bound` at most without its sign; a NaN is not. */
 static inline int linkage_is_within@(REAL x, REAL bound) { return fabs@(x) <= bound; }
 
-static inline REAL linkage_sqrt@(REAL x) { return sqrt@(x); }
-
 /* As right as those of <math.h>. */
 static inline REAL linkage_tan@(REAL x) { return tan@(x); }
 
@@ -29,7 +27,7 @@ static inline REAL linkage_rounding@(REAL spread) { return 16.0@ * LEAST_EPSILON
 static inline REAL linkage_fused@(REAL a, REAL b, REAL c)
 {
 #ifdef LINKAGE_FUSES_
-    return fma@(a, b, c);
+    return linkage_fma@(a, b, c);
 #else
     return a * b + c;
 #endif
@@ -39,7 +37,7 @@ static inline REAL linkage_fused@(REAL a, REAL b, REAL c)
 static inline REAL linkage_product_error@(REAL a, REAL b, REAL product)
 {
 #ifdef LINKAGE_FUSES_
-    return fma@(a, b, -product);
+    return linkage_fma@(a, b, -product);
 #else
     const REAL as = SPLITTER * a, ah = as - (as - a), al = a - ah;
     const REAL bs = SPLITTER * b, bh = bs - (bs - b), bl = b - bh;
@@ -60,7 +58,7 @@ static inline REAL linkage_det@(REAL a, REAL b, REAL c, REAL d)
 {
     const REAL cd = c * d;
 #ifdef LINKAGE_FUSES_
-    return fma@(a, b, -cd) - fma@(c, d, -cd);
+    return linkage_fma@(a, b, -cd) - linkage_fma@(c, d, -cd);
 #else
     const REAL ab = a * b;
     return (ab - cd) + (linkage_product_error@(a, b, ab) - linkage_product_error@(c, d, cd));
@@ -75,7 +73,7 @@ static inline REAL linkage_select@(REAL a, REAL b, REAL x, REAL y) { return a >=
 static inline int linkage_hypot_near@(REAL x, REAL y, REAL least, REAL *length)
 {
     const REAL square = linkage_fused@(x, x, y * y);
-    *length = sqrt@(square);
+    *length = linkage_sqrt@(square);
     return (square >= least) & (LEAST_MAX >= square);
 }
 
@@ -94,9 +92,9 @@ static inline REAL linkage_times_polynomial@(REAL x, const REAL *coefficients, i
 static inline REAL linkage_high_word@(REAL s)
 {
     BITS bits;
-    memcpy(&bits, &s, sizeof bits);
+    (void)memcpy(&bits, &s, sizeof bits);
     bits = (BITS)(bits >> HALF_OF_BITS) << HALF_OF_BITS;
-    memcpy(&s, &bits, sizeof s);
+    (void)memcpy(&s, &bits, sizeof s);
     return s;
 }
 
@@ -119,7 +117,7 @@ static inline REAL linkage_asin@(REAL x)
     high = linkage_high_word@(s);
     rest = s - high;
 #ifdef LINKAGE_FUSES_
-    missing = fma@(-s, s, z);
+    missing = linkage_fma@(-s, s, z);
 #else
     missing = (z - high * high) - rest * (s + high);
 #endif
@@ -169,7 +167,7 @@ static inline void linkage_turn@(REAL sine, REAL cosine, REAL shifted, REAL *to_
     static const REAL quarters[5] = { -0.0@, 1.0@, 0.0@, -1.0@, -0.0@ };
     REAL by_sin, by_cos;
     BITS bits;
-    memcpy(&bits, &shifted, sizeof bits);
+    (void)memcpy(&bits, &shifted, sizeof bits);
     by_sin = quarters[bits & 3u];
     by_cos = quarters[(bits & 3u) + 1u];
     *to_sin = linkage_fused@(cosine, by_sin, sine * by_cos);

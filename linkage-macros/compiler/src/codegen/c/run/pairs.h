@@ -62,7 +62,7 @@ static inline LinkagePair linkage_pair_over(LinkagePair a, LinkagePair b)
 /* Nought of nought. */
 static inline LinkagePair linkage_pair_root(LinkagePair a)
 {
-    const float root = linkage_sqrtf(a.high);
+    const float root = sqrtf(a.high);
     const LinkagePair square = linkage_pair_product(root, root);
     const float rest = (a.high - square.high) + (a.low - square.low);
     return root > 0.0f ? linkage_pair_joined(root, rest / (root + root)) : linkage_pair(root, 0.0f);

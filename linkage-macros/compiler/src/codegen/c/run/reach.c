@@ -26,6 +26,7 @@ static LinkageWide reached(LinkageWhy *why, LinkageWide value, Reach reach, Link
         }
         break;
     case NO_NUMBER:
+    default:
         break;
     }
     return refuse(why, LINKAGE_NOT_FINITE, NULL, group, 0, value);
@@ -65,6 +66,7 @@ LinkageWide linkage_share_of_centres(LinkageWhy *why, LinkageWide value, Linkage
     case BEYOND:
     case COINCIDENT:
     case NO_NUMBER:
+    default:
         break;
     }
     return value;

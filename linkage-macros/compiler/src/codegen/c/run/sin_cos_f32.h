@@ -27,7 +27,11 @@ static inline void linkage_sin_cos_exactf(float x, float *to_sin, float *to_cos)
 
 static inline void linkage_sin_cos_nearf(float x, float *to_sin, float *to_cos)
 {
+#if defined(LINKAGE_SIN_COS_F32)
+    LINKAGE_SIN_COS_F32(x, to_sin, to_cos);
+#else
     linkage_sin_cos_exactf(x, to_sin, to_cos);
+#endif
 }
 
 /* The remainder of any other angle, r - excess, and its quarter turns; not numbers where the angle is none. */

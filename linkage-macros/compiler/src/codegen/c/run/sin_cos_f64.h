@@ -33,19 +33,21 @@ static inline void linkage_sin_cos_exact(double x, double *to_sin, double *to_co
 /* The same without what the remainder is rounded by, where operations are fused. */
 static inline void linkage_sin_cos_near(double x, double *to_sin, double *to_cos)
 {
-#ifdef LINKAGE_FUSES
-    const double shifted = fma(x, 0.6366197723675814, 6755399441055744.0);
+#if defined(LINKAGE_SIN_COS_F64)
+    LINKAGE_SIN_COS_F64(x, to_sin, to_cos);
+#elif defined(LINKAGE_FUSES)
+    const double shifted = linkage_fma(x, 0.6366197723675814, 6755399441055744.0);
     const double q = shifted - 6755399441055744.0;
-    const double r = fma(-q, 6.123233995736766e-17, fma(-q, 1.5707963267948966, x));
+    const double r = linkage_fma(-q, 6.123233995736766e-17, linkage_fma(-q, 1.5707963267948966, x));
     const double z = r * r, z2 = z * z;
-    const double s4 = fma(z, 1.5895433284842938e-10, -2.5050734389219857e-8);
-    const double s2 = fma(z, 2.7557313538514158e-6, -0.00019841269829358528);
-    const double s0 = fma(z, 0.00833333333332184, -0.1666666666666663);
-    const double c4 = fma(z, -1.1358716362024778e-11, 2.087570483459e-9);
-    const double c2 = fma(z, -2.7557314213561954e-7, 2.4801587288992887e-5);
-    const double c0 = fma(z, -0.0013888888888873333, 0.041666666666666595);
-    const double sine = fma(z * r, fma(z2, fma(z2, s4, s2), s0), r);
-    const double cosine = fma(z2, fma(z2, fma(z2, c4, c2), c0), fma(-0.5, z, 1.0));
+    const double s4 = linkage_fma(z, 1.5895433284842938e-10, -2.5050734389219857e-8);
+    const double s2 = linkage_fma(z, 2.7557313538514158e-6, -0.00019841269829358528);
+    const double s0 = linkage_fma(z, 0.00833333333332184, -0.1666666666666663);
+    const double c4 = linkage_fma(z, -1.1358716362024778e-11, 2.087570483459e-9);
+    const double c2 = linkage_fma(z, -2.7557314213561954e-7, 2.4801587288992887e-5);
+    const double c0 = linkage_fma(z, -0.0013888888888873333, 0.041666666666666595);
+    const double sine = linkage_fma(z * r, linkage_fma(z2, linkage_fma(z2, s4, s2), s0), r);
+    const double cosine = linkage_fma(z2, linkage_fma(z2, linkage_fma(z2, c4, c2), c0), linkage_fma(-0.5, z, 1.0));
     linkage_turn(sine, cosine, shifted, to_sin, to_cos);
 #else
     linkage_sin_cos_exact(x, to_sin, to_cos);

@@ -28,7 +28,7 @@ static int circles_of(Circles *c, float dx, float dy, float l1, float l2)
 /* What is missing where a distance is not that of lengths in one line, the shorter with its sign. */
 static float missing_of(const Circles *c, float shorter)
 {
-    const float length = linkage_sqrtf(c->dx * c->dx + c->dy * c->dy) + (c->longer + shorter);
+    const float length = sqrtf(c->dx * c->dx + c->dy * c->dy) + (c->longer + shorter);
     const float missing = fabsf(value_of_excess(c->dx, c->dy, c->longer, shorter).high) / length;
     const float number = scaled(missing, -c->shift);
     /* The largest number where it is out of range. */

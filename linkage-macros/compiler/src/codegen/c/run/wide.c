@@ -89,7 +89,7 @@ static float power_of_twof(int k)
 {
     const uint32_t bits = (uint32_t)(k + 127) << 23;
     float power;
-    memcpy(&power, &bits, sizeof power);
+    (void)memcpy(&power, &bits, sizeof power);
     return power;
 }
 

@@ -227,11 +227,11 @@ impl<'a> TransferInC<'a> {
             SideLine::Towards(to) => ("across", point(to)),
             SideLine::Along(direction) => {
                 let [x, y] = direction.map(|part| literal(part, Width::Double));
-                ("along", format!("{x}, {y}"))
+                ("along", format!("(LinkageWide){x}, (LinkageWide){y}"))
             }
         };
         format!(
-            "status = {stem}_{function}({}, {line}, {}, 128.0 * {}, {}, error, {}, {});\n{RETURNED}",
+            "status = {stem}_{function}({}, {line}, {}, 128 * {}, {}, error, {}, {});\n{RETURNED}",
             point(&side.from),
             point(&side.pin),
             epsilon(places.width),
@@ -246,7 +246,7 @@ impl<'a> TransferInC<'a> {
         let width = places.width;
         let (pose, position) =
             (self.to.record(Analysis::Position, width), self.to.answers(Analysis::Position, width));
-        let mut body = format!("{{\n{pose} found;\ndouble size = 0.0;\n");
+        let mut body = format!("{{\n{pose} found;\nLinkageWide size = 0;\n");
         let mut list = Vec::new();
         if self.to.has_parameters() {
             body += &format!("{} other;\n", self.to.parameters(width));
@@ -268,14 +268,14 @@ impl<'a> TransferInC<'a> {
         body += &format!("status = {position}({});\n{RETURNED}", list.join(", "));
         let found = self.to.rows(Analysis::Position, "found").remove(0);
         let wide = |rows: &[RowInC], row: usize| match &rows[row] {
-            RowInC::Number(value) => format!("(double){value}"),
-            RowInC::Angle(_) => "0.0".to_string(),
+            RowInC::Number(value) => format!("(LinkageWide){value}"),
+            RowInC::Angle(_) => "0".to_string(),
         };
         for (here, ..) in &self.carried.compared {
             let here = wide(&places.rows, *here);
-            body += &format!("size = {stem}_larger(size, fabs({here}));\n");
+            body += &format!("size = {stem}_larger(size, {stem}_size({here}));\n");
         }
-        body += &format!("size = 256.0 * {} * size * size;\n", epsilon(width));
+        body += &format!("size = 256 * {} * size * size;\n", epsilon(width));
         for (here, there, group) in &self.carried.compared {
             let off = format!("({} - {})", wide(&places.rows, *here), wide(&found, *there));
             body += &format!(

@@ -48,9 +48,9 @@ impl PoseNumbers {
         }
     }
 
-    /// The same in double precision, where its products are exact.
+    /// The same in double precision where there is one: its products are exact there.
     pub(super) fn wide(&self, place: &PlaceInPose) -> String {
         let value = self.value(place);
-        if self.width == Width::Single { format!("(double){value}") } else { value }
+        if self.width == Width::Single { format!("(LinkageWide){value}") } else { value }
     }
 }

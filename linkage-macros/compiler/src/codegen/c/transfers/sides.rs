@@ -17,6 +17,7 @@ pub(super) fn functions<'s>(
         (is_told || is_compared, include_str!("../run/transfer/refused.c")),
         (is_told || is_compared, include_str!("../run/transfer/larger.c")),
         (is_told, include_str!("../run/transfer/told.c")),
+        (is_across, include_str!("../run/transfer/unit.c")),
         (is_across, include_str!("../run/transfer/across.c")),
         (is_along, include_str!("../run/transfer/along.c")),
     ] {
@@ -31,6 +32,6 @@ pub(super) fn functions<'s>(
 pub(super) fn epsilon(width: Width) -> &'static str {
     match width {
         Width::Double => "DBL_EPSILON",
-        Width::Single => "(double)FLT_EPSILON",
+        Width::Single => "(LinkageWide)FLT_EPSILON",
     }
 }

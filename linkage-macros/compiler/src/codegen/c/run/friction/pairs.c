@@ -75,7 +75,7 @@ static int jammed(int count, LinkagePair bounds[MOST][MOST])
 {
     LinkagePair matrix[MOST][MOST], right[MOST] = { { 0.0f, 0.0f } };
     int k;
-    memcpy(matrix, bounds, sizeof matrix);
+    (void)memcpy(matrix, bounds, sizeof matrix);
     without(count, matrix);
     for (k = 0; k < count; k++) { /* at most MOST times */
         if (!linkage_pair_above(matrix[k][k], zero())) {
@@ -144,7 +144,7 @@ static void newton(int count, const LinkagePair *amounts, const LinkagePair *val
 {
     LinkagePair matrix[MOST][MOST], step[MOST];
     int j;
-    memcpy(matrix, slope, sizeof matrix);
+    (void)memcpy(matrix, slope, sizeof matrix);
     without(count, matrix);
     for (j = 0; j < count; j++) { /* at most MOST times */
         step[j] = difference(values[j], amounts[j]);
@@ -193,7 +193,7 @@ static LinkagePair gain_of(int count, const LinkagePair *start, LinkagePair boun
         units[j] = sum.high > 0.0f ? sum : one();
         weights[j] = units[j];
     }
-    memcpy(matrix, bounds, sizeof matrix);
+    (void)memcpy(matrix, bounds, sizeof matrix);
     without(count, matrix);
     solve(count, matrix, weights);
     for (j = 0; j < count; j++) { /* at most MOST times */
@@ -210,7 +210,7 @@ static int guarded(const Systemf *s, const LinkagePair *start, LinkagePair bound
     const size_t size = (size_t)s->count * sizeof *amounts;
     const LinkagePair gain = gain_of(s->count, start, bounds, weights);
     int step;
-    memcpy(amounts, start, size);
+    (void)memcpy(amounts, start, size);
     linear(s, amounts, values, slope);
     for (step = 0; step <= GUARDED; step++) { /* at most GUARDED + 1 times */
         if (settled(s->count, amounts, values, start, bounds)) {
@@ -219,9 +219,9 @@ static int guarded(const Systemf *s, const LinkagePair *start, LinkagePair bound
         newton(s->count, amounts, values, slope, next);
         linear(s, next, next_values, unused);
         if (linkage_pair_above(off(s->count, next, next_values, weights), linkage_pair_times(gain, off(s->count, amounts, values, weights)))) {
-            memcpy(amounts, values, size);
+            (void)memcpy(amounts, values, size);
         } else {
-            memcpy(amounts, next, size);
+            (void)memcpy(amounts, next, size);
         }
         linear(s, amounts, values, slope);
     }
@@ -269,7 +269,7 @@ static int solved(int count, unsigned guides, float *rows, float *found)
         return jams;
     }
     linear(&s, none, start, slope);
-    memcpy(amounts, start, (size_t)count * sizeof *amounts);
+    (void)memcpy(amounts, start, (size_t)count * sizeof *amounts);
     /* Amounts that are settled take one step more: next to a joint that jams they would not be as right as they show. */
     for (step = 0; step <= NEWTON && !met; step++) { /* at most NEWTON + 1 times */
         linear(&s, amounts, values, slope);

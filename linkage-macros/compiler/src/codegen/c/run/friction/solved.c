@@ -28,7 +28,7 @@ static double gain_of(int count, const double *start, double bounds[MOST][MOST],
         units[j] = start[j] + sum > 0.0 ? start[j] + sum : 1.0;
         weights[j] = units[j];
     }
-    memcpy(matrix, bounds, sizeof matrix);
+    (void)memcpy(matrix, bounds, sizeof matrix);
     without(count, matrix);
     solve(count, matrix, weights);
     for (j = 0; j < count; j++) { /* at most MOST times */
@@ -48,7 +48,7 @@ static int guarded(const System *s, const double *start, double bounds[MOST][MOS
     const size_t size = (size_t)s->count * sizeof *amounts;
     const double gain = gain_of(s->count, start, bounds, weights);
     int step;
-    memcpy(amounts, start, size);
+    (void)memcpy(amounts, start, size);
     linear(s, amounts, NULL, values, slope);
     for (step = 0; step <= GUARDED; step++) { /* at most GUARDED + 1 times */
         if (settled(s->count, amounts, values, start, bounds)) {
@@ -57,9 +57,9 @@ static int guarded(const System *s, const double *start, double bounds[MOST][MOS
         newton(s->count, amounts, values, slope, next);
         linear(s, next, NULL, next_values, unused);
         if (off(s->count, next, next_values, weights) <= gain * off(s->count, amounts, values, weights)) {
-            memcpy(amounts, next, size);
+            (void)memcpy(amounts, next, size);
         } else {
-            memcpy(amounts, values, size);
+            (void)memcpy(amounts, values, size);
         }
         linear(s, amounts, NULL, values, slope);
     }
@@ -84,7 +84,7 @@ static int solved(int count, unsigned guides, const double *rows, double *amount
         return jams;
     }
     linear(&s, none, NULL, start, slope);
-    memcpy(amounts, start, (size_t)count * sizeof *amounts);
+    (void)memcpy(amounts, start, (size_t)count * sizeof *amounts);
     for (step = 0; step <= NEWTON; step++) { /* at most NEWTON + 1 times */
         linear(&s, amounts, NULL, values, slope);
         if (settled(count, amounts, values, start, bounds)) {

@@ -8,7 +8,7 @@ int linkage_amounts@(int count, unsigned guides, const REAL *rows, const REAL *s
     s.guides = guides;
     s.rows = rows;
     bounds_of@(&s, bounds);
-    memcpy(amounts, start, (size_t)count * sizeof *amounts);
+    (void)memcpy(amounts, start, (size_t)count * sizeof *amounts);
     for (step = 0; step <= STEPS; step++) { /* at most STEPS + 1 times */
         linear@(&s, amounts, &are_near, values, slope);
         if (step == STEPS) {
@@ -24,7 +24,7 @@ void linkage_friction@(LinkageWhy *why, const char *const *joints, int count, un
     LinkageWide plain[MOST * WIDTH(MOST)], found[MOST];
     const int places = WIDTH(count);
     int at, are_finite = 1;
-    memcpy(amounts, start, (size_t)count * sizeof *amounts);
+    (void)memcpy(amounts, start, (size_t)count * sizeof *amounts);
     if (why->status != LINKAGE_OK) {
         return;
     }
@@ -45,7 +45,7 @@ void linkage_friction@(LinkageWhy *why, const char *const *joints, int count, un
     }
     at = solved(count, guides, plain, found);
     if (at < count) {
-        memcpy(amounts, start, (size_t)count * sizeof *amounts);
+        (void)memcpy(amounts, start, (size_t)count * sizeof *amounts);
         refuse_amount(why, LINKAGE_JAMS, joints[at]);
         return;
     }

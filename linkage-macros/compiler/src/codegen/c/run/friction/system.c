@@ -62,7 +62,7 @@ static int jammed@(int count, REAL bounds[MOST][MOST])
 {
     REAL matrix[MOST][MOST], right[MOST] = { 0.0@ };
     int k;
-    memcpy(matrix, bounds, sizeof matrix);
+    (void)memcpy(matrix, bounds, sizeof matrix);
     without@(count, matrix);
     for (k = 0; k < count; k++) { /* at most MOST times */
         /* NaN is no positive pivot. */
@@ -149,7 +149,7 @@ static void newton@(int count, const REAL *amounts, const REAL *values, REAL slo
 {
     REAL matrix[MOST][MOST], step[MOST];
     int j;
-    memcpy(matrix, slope, sizeof matrix);
+    (void)memcpy(matrix, slope, sizeof matrix);
     without@(count, matrix);
     for (j = 0; j < count; j++) { /* at most MOST times */
         step[j] = values[j] - amounts[j];

@@ -48,7 +48,7 @@ typedef struct Steps@ {
     REAL slope;
 } Steps@;
 
-static REAL size_of@(REAL x) { return x >= 0.0@ ? x : -x; }
+static REAL absolute@(REAL x) { return x >= 0.0@ ? x : -x; }
 
 static REAL greater@(REAL a, REAL b) { return a > b ? a : b; }
 
@@ -76,11 +76,11 @@ static int evaluate@(Equation@ *f, REAL x, At@ *to)
     REAL sides[3], size, value;
     f->evaluations++;
     f->sides(f->given, x, sides);
-    size = size_of@(sides[0]) + size_of@(sides[1]);
+    size = absolute@(sides[0]) + absolute@(sides[1]);
     if (linkage_is_finite@(size)) {
         f->extent = greater@(f->extent, size);
     }
-    f->change = size_of@(sides[2]) * f->width;
+    f->change = absolute@(sides[2]) * f->width;
     value = sides[0] - sides[1];
     to->x = x;
     to->value = f->trend * value;
@@ -122,7 +122,7 @@ static int approach_of@(Approach@ *approach, REAL from, REAL to)
     const REAL width = to - from;
     approach->from = from;
     approach->to = to;
-    approach->tolerance = greater@(size_of@(from), size_of@(to)) * (0.5@ * LEAST_EPSILON);
+    approach->tolerance = greater@(absolute@(from), absolute@(to)) * (0.5@ * LEAST_EPSILON);
     return linkage_is_finite@(width) && width > 0.0@;
 }
 
@@ -167,7 +167,7 @@ static int newton_step@(At@ at, REAL *step)
 /* True if this step leads to within the tolerance of the root, as far as the last two steps show. */
 static int is_last@(const Steps@ *s, REAL step_before_sign, REAL slope)
 {
-    const REAL step = size_of@(step_before_sign), last = size_of@(s->step);
+    const REAL step = absolute@(step_before_sign), last = absolute@(s->step);
     REAL ratio, next;
     if (s->tolerance >= step) {
         return 1;
@@ -180,14 +180,14 @@ static int is_last@(const Steps@ *s, REAL step_before_sign, REAL slope)
         return s->width * (1.0@ / 4194304.0@) >= last;
     }
     /* Where the slope has become so much steeper, the function is none that steps converge on. */
-    if (!s->is_secant && size_of@(slope) > size_of@(s->slope) * 4.0@) {
+    if (!s->is_secant && absolute@(slope) > absolute@(s->slope) * 4.0@) {
         return 0;
     }
     ratio = step / last;
     if (s->is_secant) {
         next = ratio * step;
     } else {
-        const REAL bend = size_of@((slope - s->slope) / (slope + slope));
+        const REAL bend = absolute@((slope - s->slope) / (slope + slope));
         next = greater@(ratio * ratio, bend * ratio) * step;
     }
     return s->tolerance * 0.5@ >= next;
@@ -249,6 +249,6 @@ static int close_in@(const Approach@ *approach, At@ a, At@ b, REAL start, int mo
             x = middle@(a.x, b.x);
         }
     }
-    *found = size_of@(b.value) > size_of@(a.value) ? a.x : b.x;
+    *found = absolute@(b.value) > absolute@(a.value) ? a.x : b.x;
     return 1;
 }

@@ -52,7 +52,7 @@ static REAL part@(REAL y0, REAL y1, REAL d0, REAL d1)
             low = u;
         }
         next = u - value / slope;
-        is_close = (REAL)1e-3 * u >= size_of@(next - u);
+        is_close = (REAL)1e-3 * u >= absolute@(next - u);
         u = next > low && high > next ? next : (low + high) * 0.5@;
         if (is_close) {
             break;
@@ -86,7 +86,7 @@ static int newton@(Equation@ *f, REAL seed, const Approach@ *approach, REAL *fou
         if (!(x >= approach->from && approach->to >= x) || !evaluate@(f, x, &at)) {
             return 0;
         }
-        if (!newton_step@(at, &step) || !(steps.width >= size_of@(step))) {
+        if (!newton_step@(at, &step) || !(steps.width >= absolute@(step))) {
             return 0;
         }
         x = x + step;
@@ -139,7 +139,8 @@ static int lowest@(Equation@ *f, REAL turn, At@ a, At@ b, int most, At@ *found)
     sampler.last = a;
     a.value = a.slope;
     b.value = b.slope;
-    a.slope = b.slope = 0.0@;
+    a.slope = 0.0@;
+    b.slope = 0.0@;
     if (!close_in@(&approach, a, b, start, most, &sampler, &x)) {
         return 0;
     }

@@ -36,7 +36,7 @@ static int exponent_of(float x)
     const int is_subnormal = x < FLT_MIN;
     uint32_t bits;
     x = is_subnormal ? x * 16777216.0f : x;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     return x == 0.0f ? 0 : (int)((bits >> 23) & 0xffu) + (is_subnormal ? 1023 - 127 - 24 : 1023 - 127);
 }
 
@@ -53,7 +53,7 @@ static int is_beyond_a_turn(float from, float to, float epsilon)
 static int exponent_of(double x)
 {
     uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
+    (void)memcpy(&bits, &x, sizeof bits);
     return (int)((bits >> 52) & 0x7ffu);
 }
 

@@ -47,8 +47,8 @@ static int all_below@(REAL least, const REAL *numbers, int count)
 static REAL error_of_halves@(At@ a, At@ b, At@ centre)
 {
     const Cubic@ c = cubic_through@(a, b);
-    const REAL off = size_of@(cubic_at@(&c, 0.5@) - centre.value);
-    return off + size_of@(cubic_slope@(&c, 0.5@) - centre.slope * (b.x - a.x)) * 0.25@;
+    const REAL off = absolute@(cubic_at@(&c, 0.5@) - centre.value);
+    return off + absolute@(cubic_slope@(&c, 0.5@) - centre.slope * (b.x - a.x)) * 0.25@;
 }
 
 /* Which way a piece bends, if it is one way throughout: 1 for the dip, -1 for the hump, else 0. */
@@ -70,7 +70,7 @@ static int is_clear@(At@ a, At@ b, REAL error_of_cubic)
 {
     const Cubic@ c = cubic_through@(a, b);
     const REAL third = (REAL)(1.0 / 3.0);
-    const REAL rounding = greater@(size_of@(a.value), size_of@(b.value)) * (4.0@ * LEAST_EPSILON);
+    const REAL rounding = greater@(absolute@(a.value), absolute@(b.value)) * (4.0@ * LEAST_EPSILON);
     const REAL error = error_of_cubic + rounding, least = error * (REAL)3.1;
     REAL values[4], slopes[3], ends[2], sign;
     values[0] = c.y0;
@@ -159,7 +159,8 @@ static int passage@(const Survey@ *s, REAL turn, At@ ends[2])
     for (i = 0; i < s->count; i++) { /* at most SAMPLES times */
         const At@ at = s->pieces[i].from;
         if (at.value == 0.0@ && turn * at.slope > 0.0@) {
-            ends[0] = ends[1] = at;
+            ends[0] = at;
+            ends[1] = at;
             return 1;
         }
         if (has_low && turn * at.value > 0.0@) {
@@ -201,7 +202,8 @@ static int survey@(Equation@ *f, const At@ places[4], int most, Look@ *look, Cou
     Survey@ s;
     At@ at, ends[2];
     REAL sign;
-    look->has_nearest = look->falls = 0;
+    look->has_nearest = 0;
+    look->falls = 0;
     begin@(&s, places);
     for (;;) { /* at most 3 * SAMPLES times */
         int index;
@@ -227,7 +229,8 @@ static int survey@(Equation@ *f, const At@ places[4], int most, Look@ *look, Cou
                 return 0;
             }
             if (at.value == 0.0@) {
-                look->ends[0] = look->ends[1] = at;
+                look->ends[0] = at;
+                look->ends[1] = at;
                 *course = IS_ZERO;
                 return 1;
             }

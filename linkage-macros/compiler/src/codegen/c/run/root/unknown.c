@@ -3,14 +3,14 @@
  * than to rounding. */
 static REAL steepest@(At@ a, At@ b, REAL slack)
 {
-    const REAL size = greater@(size_of@(a.value), size_of@(b.value));
+    const REAL size = greater@(absolute@(a.value), absolute@(b.value));
     return greater@(slack, size * LEAST_EPSILON) / ((b.x - a.x) * sqrt@(LEAST_EPSILON));
 }
 
 /* True if f misses zero at an end by this much, or passes it there against the trend. */
 static int misses@(At@ end, REAL by, REAL steep) { return by > 0.0@ || (by == 0.0@ && -end.slope > steep); }
 
-static int is_met@(At@ at, REAL slack, REAL steep) { return slack >= size_of@(at.value) && !(-at.slope > steep); }
+static int is_met@(At@ at, REAL slack, REAL steep) { return slack >= absolute@(at.value) && !(-at.slope > steep); }
 
 /* The root where the ends, moved in or not, do not enclose one. `missed` is the nearer of them. */
 static int surveyed@(Equation@ *f, const Approach@ *approach, const At@ places[4], At@ missed, REAL slack, int most, REAL *found)
@@ -28,7 +28,7 @@ static int surveyed@(Equation@ *f, const Approach@ *approach, const At@ places[4
     case NEVER_RISES: break;
     default: break;
     }
-    if (look.has_nearest && size_of@(missed.value) > size_of@(look.nearest.value)) {
+    if (look.has_nearest && absolute@(missed.value) > absolute@(look.nearest.value)) {
         missed = look.nearest;
     }
     if (is_met@(missed, slack, steep)) {
@@ -41,7 +41,7 @@ static int surveyed@(Equation@ *f, const Approach@ *approach, const At@ places[4
             return 0;
         }
     }
-    return fail@(f, NO_ROOT, missed.x, size_of@(missed.value));
+    return fail@(f, NO_ROOT, missed.x, absolute@(missed.value));
 }
 
 /* True if a function whose slope keeps its sign rises between these ends on one side of zero. */
@@ -61,7 +61,7 @@ static int from_ends@(Equation@ *f, const Approach@ *approach, int is_steady, RE
     }
     ends[0] = first;
     ends[1] = last;
-    slack = greater@(greater@(size_of@(first.value), size_of@(last.value)), f->extent) * (4.0@ * LEAST_EPSILON);
+    slack = greater@(greater@(absolute@(first.value), absolute@(last.value)), f->extent) * (4.0@ * LEAST_EPSILON);
     if (first.value >= 0.0@ && 0.0@ > first.slope && !move_in@(f, ends, 0, &most)) {
         return 0;
     }
@@ -87,7 +87,7 @@ static int from_ends@(Equation@ *f, const Approach@ *approach, int is_steady, RE
             return 1;
         }
         if (is_steady && rises_without_a_root@(first, last)) {
-            return fail@(f, NO_ROOT, missed.x, size_of@(missed.value));
+            return fail@(f, NO_ROOT, missed.x, absolute@(missed.value));
         }
         places[0] = first;
         places[1] = ends[0];
@@ -128,7 +128,8 @@ int linkage_root@(LinkageWhy *why, const char *unknown, const LinkageBetween@ *b
         goes_on = from_seed@(&f, &approach, between->seed, &is_found, &found[0]);
     }
     if (goes_on && !is_found) {
-        goes_on = is_found = from_ends@(&f, &approach, between->is_steady, &found[0]);
+        is_found = from_ends@(&f, &approach, between->is_steady, &found[0]);
+        goes_on = is_found;
     }
     if (goes_on && !linkage_is_finite@(found[0])) {
         goes_on = fail@(&f, SINGULAR_ROOT, found[0], 0.0@);
