@@ -85,7 +85,10 @@ def counts(folder, *level):
 
 def alone(folder):
     """Code and constants of a program that calls one function, with what a C library puts beside it."""
-    solver, source, program = ROOT / "examples/c_controller/solver", folder / "alone.c", folder / "alone"
+    solver, place = ROOT / "examples/c_controller/solver", folder / "alone"
+    # Beside the caller stands another shear's header.
+    place.mkdir()
+    source, program = place / "call.c", place / "call"
     source.write_text(ALONE)
     flags = [flag for flag in FLAGS if flag != "-nostartfiles" and not flag.startswith("-T")]
     subprocess.run(["arm-none-eabi-gcc", *flags, "-Os", "-fdata-sections", "-DLINKAGE_NO_DOUBLE", f"-I{solver}", source,
