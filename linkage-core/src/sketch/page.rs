@@ -17,8 +17,9 @@ mod tests;
 use core::ops::RangeInclusive;
 use std::path::Path;
 use std::string::{String, ToString};
+use std::vec::Vec;
 
-pub use assembled::{Machine, html};
+pub use assembled::{Machine, html, html_of_sets};
 use declared::PageOf;
 pub use declared::{Declared, Paged};
 pub use settings::Wishes;
@@ -57,11 +58,34 @@ use crate::Record;
 /// accelerations and forces are those at a constant rate of the input that curves are drawn over. The numbers
 /// are the solver's to the last bit, but for `tan`, `exp`, `ln`, `tanh` and `pow`: those are the browser's, whose
 /// last bits may differ. On targets with fused operations the solver itself rounds otherwise. An `unknown` is
-/// searched as the solver searches it.
+/// searched as the solver searches it. Of a machine with several sets of inputs a reader chooses which one drives; the pose
+/// stays, unless it is another assembly of the other set, which the page says.
 #[derive(Clone, Debug)]
 pub struct Page<S> {
     solver: S,
     wishes: Wishes,
+    /// The sets of inputs of a machine that has several, and the machine's name.
+    sets: Option<(&'static str, Vec<SetOfPage>)>,
+}
+
+/// A set of inputs by its name, and the mechanism that it drives.
+#[derive(Clone, Debug)]
+struct SetOfPage {
+    set: &'static str,
+    machine: Machine<'static>,
+    values: Vec<f64>,
+}
+
+impl SetOfPage {
+    fn of<S: Paged>(set: &'static str, solver: &S) -> Self {
+        let plan = &PlanOf::<S>::PLAN;
+        let (name, docs, declared) = (plan.name, plan.docs, PageOf::<S>::PAGE);
+        Self {
+            set,
+            machine: Machine { name, docs, declared, values: &[] },
+            values: solver.params(),
+        }
+    }
 }
 
 impl<S: Paged> Page<S> {
@@ -69,7 +93,24 @@ impl<S: Paged> Page<S> {
     #[doc(hidden)]
     #[must_use]
     pub fn of(solver: &S) -> Self {
-        Self { solver: *solver, wishes: Wishes::default() }
+        Self { solver: *solver, wishes: Wishes::default(), sets: None }
+    }
+
+    /// The page of a machine with several sets of inputs, driven by the set of this name at first; generated code calls it.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of_set(machine: &'static str, set: &'static str, solver: &S) -> Self {
+        Self { sets: Some((machine, [SetOfPage::of(set, solver)].into())), ..Self::of(solver) }
+    }
+
+    /// Another set of its inputs; generated code calls it.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn or_set<O: Paged>(mut self, set: &'static str, solver: &O) -> Self {
+        if let Some((_, sets)) = &mut self.sets {
+            sets.push(SetOfPage::of(set, solver));
+        }
+        self
     }
 
     /// A heading in place of the mechanism's name.
@@ -135,6 +176,13 @@ impl<S: Paged> Page<S> {
     pub fn to_html(&self) -> Result<String, SketchError> {
         let plan = &PlanOf::<S>::PLAN;
         self.wishes.traces.iter().try_for_each(|name| point(plan, name).map(drop))?;
+        if let Some((name, sets)) = &self.sets {
+            let sets: Vec<_> = sets
+                .iter()
+                .map(|of| (of.set, Machine { values: &of.values, ..of.machine }))
+                .collect();
+            return html_of_sets(name, &sets, &self.wishes);
+        }
         let (name, docs, values) = (plan.name, plan.docs, &self.solver.params());
         html(&Machine { name, docs, declared: PageOf::<S>::PAGE, values }, &self.wishes)
     }

@@ -1,49 +1,91 @@
 //! The verb `page`: pages on which machines are dragged.
 
 use linkage_compiler::{PageParts, page};
-use linkage_core::sketch::{Declared, Machine, Wishes, html};
+use linkage_core::sketch::{Declared, Machine, Wishes, html, html_of_sets};
+use syn::ext::IdentExt;
 
 use crate::arguments::Page;
 use crate::output::{self, Failure};
 use crate::program::Program;
-use crate::values::{FlagValue, known};
+use crate::values::{FlagValue, Known, known};
 
 pub(crate) fn run(arguments: &Page) -> Result<(), Failure> {
     let program = Program::read(&arguments.file, &arguments.chosen)?;
     // The text is the declared one, and values are those that are set, as a solver's are.
     let mut declared = program.each(program.written()?, |declaration| {
-        Ok((page(declaration.tokens.clone())?, program.call(declaration)))
+        let parts = page(declaration.tokens.clone())?;
+        let driven = declaration
+            .driven
+            .as_ref()
+            .map(|names| names.each_ref().map(|name| name.unraw().to_string()));
+        Ok(Driven { parts, text: program.call(declaration), driven })
     })?;
     if !arguments.chosen.set.is_empty() {
         let set = program.all(page)?.into_iter();
-        declared.iter_mut().zip(set).for_each(|((parts, _), set)| parts.values = set.values);
+        declared.iter_mut().zip(set).for_each(|(own, set)| own.parts.values = set.values);
     }
     let mut pages = Vec::new();
-    for (parts, text) in &declared {
-        pages.push((format!("{}.html", parts.name), written(parts, text, arguments)?));
+    for machine in together(&declared) {
+        let (name, page) = written(machine, arguments)?;
+        pages.push((format!("{name}.html"), page));
     }
     output::texts(&arguments.target, &arguments.file, pages)
 }
 
-/// The page of a mechanism.
-fn written(parts: &PageParts, text: &str, arguments: &Page) -> Result<String, Failure> {
-    let declared = Declared::new([
-        &parts.plan,
-        &parts.script,
-        text,
-        &parts.inputs,
-        &parts.params,
-        &parts.loads,
-        &parts.outputs,
-    ]);
-    let wishes = wishes(parts, arguments)?;
-    let machine = Machine { name: &parts.name, docs: &parts.docs, declared, values: &parts.values };
-    html(&machine, &wishes).map_err(|error| Failure::Unusable(error.to_string()))
+/// A mechanism, and the set of inputs that drives it, of a machine that has several.
+struct Driven {
+    parts: PageParts,
+    text: String,
+    driven: Option<[String; 2]>,
 }
 
-fn wishes(parts: &PageParts, arguments: &Page) -> Result<Wishes, Failure> {
-    let [inputs, params, loads] =
-        [&parts.inputs, &parts.params, &parts.loads].map(|text| known(text));
+/// The mechanisms of each page: the sets of inputs of one machine together.
+fn together(declared: &[Driven]) -> impl Iterator<Item = &[Driven]> {
+    declared.chunk_by(|one, next| {
+        let [one, next] = [one, next].map(|of| of.driven.as_ref().map(|[machine, _]| machine));
+        one.is_some() && one == next
+    })
+}
+
+/// The name of a machine, and its page.
+fn written(sets: &[Driven], arguments: &Page) -> Result<(String, String), Failure> {
+    let wishes = wishes(sets, arguments)?;
+    let machines = sets.iter().map(|Driven { parts, text, driven }| {
+        let declared = Declared::new([
+            &parts.plan,
+            &parts.script,
+            text,
+            &parts.inputs,
+            &parts.params,
+            &parts.loads,
+            &parts.outputs,
+        ]);
+        let (name, docs, values) = (&parts.name[..], &parts.docs[..], &parts.values[..]);
+        let set = driven.as_ref().map_or("", |[_, set]| set);
+        (set, Machine { name, docs, declared, values })
+    });
+    let machines: Vec<_> = machines.collect();
+    let page = match (&machines[..], &sets[0].driven) {
+        ([_, _, ..], Some([machine, _])) => {
+            html_of_sets(machine, &machines, &wishes).map(|page| (machine.clone(), page))
+        }
+        ([(_, machine), ..], _) => {
+            html(machine, &wishes).map(|page| (machine.name.to_string(), page))
+        }
+        ([], _) => unreachable!("each page has a mechanism"),
+    };
+    page.map_err(|error| Failure::Unusable(error.to_string()))
+}
+
+fn wishes(sets: &[Driven], arguments: &Page) -> Result<Wishes, Failure> {
+    let of_sets = sets.iter().flat_map(|of| known(&of.parts.inputs));
+    let mut inputs: Vec<Known<'_>> = Vec::new();
+    for input in of_sets {
+        if inputs.iter().all(|other| other.name != input.name) {
+            inputs.push(input);
+        }
+    }
+    let [params, loads] = [&sets[0].parts.params, &sets[0].parts.loads].map(|text| known(text));
     let all = [&inputs[..], &params, &loads].concat();
     let between = arguments.between.iter().map(|text| {
         let setting = FlagValue::read("between", text)?;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 include!("data/shear.rs");
+include!("data/five_bar.rs");
 
 fn linkage(arguments: &[&str]) -> Output {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
@@ -56,6 +57,34 @@ fn a_page_is_the_one_that_rust_writes() {
     assert_eq!(stale.status.code(), Some(1));
     assert!(told(&stale.stderr).contains("Lift.html` is stale"), "{}", told(&stale.stderr));
     assert_eq!(read("Lift.html"), "old");
+}
+
+/// One page has all sets of inputs of a machine, and flags name what any of them has.
+#[test]
+fn sets_of_inputs_share_a_page() {
+    let file = folder("sets").join("page.html");
+    let page = |flags: &[&str]| {
+        let fixed = ["page", "five_bar.rs", "-o", file.to_str().expect("it is a text")];
+        let output = linkage(&[&fixed, flags].concat());
+        match output.status.success() {
+            true => Ok(fs::read_to_string(&file).expect("it was written")),
+            false => Err(told(&output.stderr)),
+        }
+    };
+    let robot = FiveBar::new();
+    assert_eq!(page(&[]), Ok(robot.page().to_html().expect("it can be drawn")));
+    let flags = ["--between", "x=-3cm..3cm", "--between", "a=90deg..180deg", "--rate", "y=0.1"];
+    let half = std::f64::consts::FRAC_PI_2;
+    let wished = robot.page().range("x", -0.03..=0.03).range("a", half..=2.0 * half).rate("y", 0.1);
+    assert_eq!(page(&flags), Ok(wished.to_html().expect("it can be drawn")));
+    // One set alone is a page as before.
+    let one = robot.hand().page().to_html().expect("it can be drawn");
+    assert!(!one.contains("const SETS"));
+    assert_eq!(page(&["--inputs", "hand"]), Ok(one));
+    let mistake = page(&["--between", "z=1mm..2mm"]).expect_err("none has it");
+    assert!(mistake.contains("is named `z`: `a`, `b`, `x`, `y`, `upper`"), "{mistake}");
+    let mistake = robot.page().range("z", 0.0..=1.0).to_html().expect_err("none has it");
+    assert!(mistake.to_string().contains("`z`"), "{mistake}");
 }
 
 #[test]

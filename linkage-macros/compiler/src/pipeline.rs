@@ -1,6 +1,7 @@
 //! START HERE: the phases in order, each with what is true after it.
 
 mod change_points;
+mod common_range;
 mod parsed;
 mod planar_bodies;
 mod printed;

@@ -209,6 +209,8 @@ addEventListener("message", ({ data, source }) => {
     showHandles();
   }
   if (data.kind === "state" && typeof data.text === "string") state = data.text;
+  // Another set of inputs drives the machine, which begins anew.
+  if (data.kind === "again" && good) [began, frames[1 - front].srcdoc] = [performance.now(), withState(good.page)];
   if (data.kind === "default" && /^[\p{L}_][\p{L}\p{N}_]*$/u.test(data.name) && /^[-\w.()*/^·²³ ]{1,40}$/u.test(data.value)) {
     // The text says it from now on.
     state = state.split("&").filter((part) => part.split("=")[0] !== encodeURIComponent(data.name)).join("&");

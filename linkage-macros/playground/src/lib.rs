@@ -10,8 +10,10 @@ mod converted;
 #[expect(dead_code, reason = "the program compares archives as well")]
 mod zip;
 
-use linkage_compiler::{Diagnostic, Level, PageParts, WrittenPlace, declarations, places};
-use linkage_core::sketch::{Declared, Machine, Wishes, html};
+use linkage_compiler::{
+    Diagnostic, Level, PageParts, WrittenPlace, by_set, declarations, machine_and_set, places,
+};
+use linkage_core::sketch::{Declared, Machine, Wishes, html, html_of_sets};
 use proc_macro2::{LexError, Span, TokenStream};
 use serde_json::{Value, json};
 
@@ -79,14 +81,39 @@ fn done(text: &str, task: u32) -> Vec<u8> {
         Err(error) if task == CHECK => return unreadable(text, &error).to_string().into_bytes(),
         Err(_) => return Vec::new(),
     };
-    let declaration = declarations(tokens.clone()).into_iter().next().unwrap_or(tokens);
+    let sets = first_machine(tokens);
     match task {
-        CHECK => checked(text, declaration).to_string().into_bytes(),
+        CHECK => checked(text, &sets).to_string().into_bytes(),
         // Rust needs the declaration alone, but one without mistakes.
-        RUST => linkage_compiler::page(declaration).map_or(Vec::new(), |_| rust(text).into_bytes()),
-        ALL => all(text, &declaration),
-        _ => archive(&printed(declaration, task, "")),
+        RUST => parts_of(&sets).map_or(Vec::new(), |_| rust(text).into_bytes()),
+        ALL => all(text, &sets),
+        _ => archive(&printed(&sets, task, "")),
     }
+}
+
+/// The declarations of the first machine, one for each set of inputs that it has.
+fn first_machine(tokens: TokenStream) -> Vec<TokenStream> {
+    let mut sets = declarations(tokens.clone());
+    if sets.is_empty() {
+        sets = by_set(tokens);
+    }
+    let machine = |set: &TokenStream| machine_and_set(set).map(|[machine, _]| machine);
+    let first = sets.first().and_then(machine);
+    let others = sets.iter().skip(1).take_while(|set| first.is_some() && machine(set) == first);
+    sets.truncate(1 + others.count());
+    sets
+}
+
+/// The pages' texts of all sets.
+fn parts_of(sets: &[TokenStream]) -> Result<Vec<PageParts>, Vec<Diagnostic>> {
+    let (mut parts, mut mistakes) = (Vec::new(), Vec::new());
+    for set in sets {
+        match linkage_compiler::page(set.clone()) {
+            Ok(own) => parts.push(own),
+            Err(own) => mistakes.extend(own),
+        }
+    }
+    if mistakes.is_empty() { Ok(parts) } else { Err(mistakes) }
 }
 
 fn imported(text: &str) -> Value {
@@ -100,12 +127,21 @@ fn imported(text: &str) -> Value {
 type Files = Vec<(String, Vec<u8>)>;
 
 /// The files of a solver in C or of an FMU, in a folder; none where there are mistakes.
-fn printed(declaration: TokenStream, task: u32, folder: &str) -> Files {
+fn printed(sets: &[TokenStream], task: u32, folder: &str) -> Files {
+    let of_each = sets.iter().map(|set| match task {
+        C => linkage_compiler::c(set.clone(), &[], None),
+        _ => linkage_compiler::fmu(set.clone(), false),
+    });
     let files = match task {
-        C => linkage_compiler::c(declaration, &[], None),
-        _ => linkage_compiler::fmu(declaration, false),
+        C => of_each.chain([linkage_compiler::c_transfers(sets, &[], None)]).collect(),
+        // An FMU has one set of inputs.
+        _ => of_each.take(1).collect::<Result<Vec<_>, _>>(),
     };
-    let files = files.unwrap_or_default().into_iter();
+    let mut files: Vec<_> = files.unwrap_or_default().into_iter().flatten().collect();
+    // Solvers share a run-time.
+    files.sort_by(|one, other| one.name.cmp(&other.name));
+    files.dedup_by(|one, other| one.name == other.name);
+    let files = files.into_iter();
     files.map(|file| (format!("{folder}{}", file.name), file.text.into_bytes())).collect()
 }
 
@@ -124,14 +160,14 @@ fn archive(files: &Files) -> Vec<u8> {
 }
 
 /// The text, its page, its solver in every language, and its FMU.
-fn all(text: &str, declaration: &TokenStream) -> Vec<u8> {
-    let Ok(parts) = linkage_compiler::page(declaration.clone()) else { return Vec::new() };
-    let name = &parts.name;
-    let fmu = archive(&printed(declaration.clone(), FMU, ""));
-    let mut files = printed(declaration.clone(), C, "c/");
+fn all(text: &str, sets: &[TokenStream]) -> Vec<u8> {
+    let Ok(parts) = parts_of(sets) else { return Vec::new() };
+    let name = name_of(sets, &parts);
+    let fmu = archive(&printed(sets, FMU, ""));
+    let mut files = printed(sets, C, "c/");
     files.extend([
         (format!("{name}.rs"), rust(text).into_bytes()),
-        (format!("{name}.html"), page(&parts, text).into_bytes()),
+        (format!("{name}.html"), page(sets, &parts, text).into_bytes()),
         (format!("{name}.fmu"), fmu),
     ]);
     archive(&files)
@@ -142,29 +178,53 @@ fn unreadable(text: &str, error: &LexError) -> Value {
     json!({ "messages": [told(text, message, None, "error", [error.span(); 2])] })
 }
 
-fn checked(text: &str, declaration: TokenStream) -> Value {
-    let told = |found: &[Diagnostic]| -> Vec<Value> {
-        found.iter().map(|found| message(text, found)).collect()
+fn checked(text: &str, sets: &[TokenStream]) -> Value {
+    // What is about the machine is said of each set.
+    let told = |found: Vec<Diagnostic>| {
+        let mut told: Vec<Value> = Vec::new();
+        for found in found.iter().map(|found| message(text, found)) {
+            if !told.contains(&found) {
+                told.push(found);
+            }
+        }
+        told
     };
-    let places: Vec<Value> =
-        places(declaration.clone()).iter().map(|place| written(text, place)).collect();
-    match linkage_compiler::page(declaration) {
-        Err(mistakes) => json!({ "messages": told(&mistakes), "places": places }),
+    let places = sets.first().map_or(Vec::new(), |set| places(set.clone()));
+    let places: Vec<Value> = places.iter().map(|place| written(text, place)).collect();
+    match parts_of(sets) {
+        Err(mistakes) => json!({ "messages": told(mistakes), "places": places }),
         Ok(parts) => json!({
-            "messages": told(&parts.notes),
+            "name": name_of(sets, &parts),
+            "page": page(sets, &parts, text),
+            "messages": told(parts.into_iter().flat_map(|parts| parts.notes).collect()),
             "places": places,
-            "name": parts.name,
-            "page": page(&parts, text),
         }),
     }
 }
 
+/// The name of the machine.
+fn name_of(sets: &[TokenStream], parts: &[PageParts]) -> String {
+    let machine = sets.first().and_then(machine_and_set).map(|[machine, _]| machine.to_string());
+    machine.unwrap_or_else(|| parts[0].name.clone())
+}
+
 /// The page of a machine.
-fn page(parts: &PageParts, text: &str) -> String {
-    let PageParts { plan, script, inputs, params, loads, outputs, .. } = parts;
-    let declared = Declared::new([plan, script, text, inputs, params, loads, outputs]);
-    let (name, docs, values) = (&parts.name[..], &parts.docs[..], &parts.values[..]);
-    let page = html(&Machine { name, docs, declared, values }, &Wishes::default());
+fn page(sets: &[TokenStream], parts: &[PageParts], text: &str) -> String {
+    let machines = parts.iter().map(|parts| {
+        let PageParts { plan, script, inputs, params, loads, outputs, .. } = parts;
+        let declared = Declared::new([plan, script, text, inputs, params, loads, outputs]);
+        let (name, docs, values) = (&parts.name[..], &parts.docs[..], &parts.values[..]);
+        Machine { name, docs, declared, values }
+    });
+    let names: Vec<_> = sets
+        .iter()
+        .map(|set| machine_and_set(set).map_or(String::new(), |[_, set]| set.to_string()))
+        .collect();
+    let machines: Vec<_> = names.iter().map(String::as_str).zip(machines).collect();
+    let page = match &machines[..] {
+        [(_, machine)] => html(machine, &Wishes::default()),
+        _ => html_of_sets(&name_of(sets, parts), &machines, &Wishes::default()),
+    };
     page.expect("nothing is wished that could be unknown")
 }
 

@@ -10,3 +10,4 @@ mod hard;
 mod machines;
 mod numbers;
 mod program;
+mod sets;

@@ -2,6 +2,7 @@
 
 use std::format;
 use std::string::{String, ToString};
+use std::vec::Vec;
 
 use super::declared::Declared;
 use super::json::{list, number, object, string};
@@ -39,6 +40,9 @@ pub(super) const SHOWS: [&str; 6] = [
     include_str!("page.js"),
 ];
 
+/// The file of a choice between sets of inputs, which a page of a machine with one does without.
+pub(super) const SETS: [&str; 1] = [include_str!("sets.js")];
+
 /// A mechanism as its page has it.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine<'a> {
@@ -57,39 +61,90 @@ pub struct Machine<'a> {
 /// # Errors
 /// `UnknownName` for a curve, a range, a rate or a load of nothing that is declared.
 pub fn html(machine: &Machine<'_>, wishes: &Wishes) -> Result<String, SketchError> {
-    let Machine { name, docs, declared, values } = machine;
-    wishes.check(declared)?;
+    wishes.check(&machine.declared)?;
+    let Parts { plan, options, script } = Parts::of(machine, wishes);
+    let consts = format!(
+        "const BY = null;\nconst PLAN = {plan};\nconst PAGE = {options};\nconst MACHINE = {script};\n"
+    );
+    Ok(written([machine.name, machine.docs], &consts, wishes))
+}
+
+/// The page of a machine that has several sets of inputs, each with its name and the mechanism that it drives. The first
+/// drives the page, until a reader chooses another. A wish is one of the sets that have what it names, and a path is the
+/// first set's.
+///
+/// # Errors
+/// `UnknownName` for a curve, a range, a rate or a load of nothing that is declared.
+pub fn html_of_sets(
+    name: &str,
+    sets: &[(&str, Machine<'_>)],
+    wishes: &Wishes,
+) -> Result<String, SketchError> {
+    let all: Vec<_> = sets.iter().map(|(_, machine)| machine.declared).collect();
+    let wishes_of = wishes.of_each(&all)?;
+    let objects = sets.iter().zip(&wishes_of).map(|((set, machine), wishes)| {
+        let Parts { plan, options, script } = Parts::of(machine, wishes);
+        object([
+            ("set", string(set)),
+            ("plan", plan.to_string()),
+            ("page", options),
+            ("machine", script.to_string()),
+        ])
+    });
+    let consts = format!("const SETS = {};\n{CHOSEN}", list(objects));
+    let docs = sets.first().map_or("", |(_, machine)| machine.docs);
+    Ok(written([name, docs], &consts, wishes))
+}
+
+/// Of several sets that one drives which is asked for, by the page around this one or by the address.
+const CHOSEN: &str = r#"const asksFor = ({ set }) => (globalThis.STATE || (globalThis.location?.hash ?? "").slice(1)).split("&").includes(`~by=${encodeURIComponent(set)}`);
+const BY = SETS.find(asksFor) ?? SETS[0];
+const { plan: PLAN, page: PAGE, machine: MACHINE } = BY;
+"#;
+
+/// Objects of JavaScript: what is drawn, what a reader may set, and what computes.
+struct Parts<'a> {
+    plan: &'a str,
+    options: String,
+    script: &'a str,
+}
+
+impl<'a> Parts<'a> {
+    fn of(Machine { declared, values, .. }: &Machine<'a>, wishes: &Wishes) -> Self {
+        let texts = |texts: &[String]| list(texts.iter().map(|text| string(text)));
+        let options = object([
+            ("inputs", wishes.inputs(declared)),
+            ("params", wishes.params(declared, values)),
+            ("loads", wishes.loads(declared)),
+            ("traces", texts(&wishes.traces)),
+            ("curves", texts(&wishes.curves)),
+            ("path", list(wishes.path.iter().map(|q| list(q.iter().map(|&x| number(x)))))),
+            ("text", string(declared.text)),
+        ]);
+        Self { plan: declared.plan, options, script: declared.script }
+    }
+}
+
+/// A page around the constants of its machine.
+fn written([name, docs]: [&str; 2], consts: &str, wishes: &Wishes) -> String {
     let spaced = spaced(name);
     let title = wishes.title.as_deref().unwrap_or(&spaced);
-    let texts = |texts: &[String]| list(texts.iter().map(|text| string(text)));
-    let options = object([
-        ("inputs", wishes.inputs(declared)),
-        ("params", wishes.params(declared, values)),
-        ("loads", wishes.loads(declared)),
-        ("traces", texts(&wishes.traces)),
-        ("curves", texts(&wishes.curves)),
-        ("path", list(wishes.path.iter().map(|q| list(q.iter().map(|&x| number(x)))))),
-        ("text", string(declared.text)),
-    ]);
-    let machine = format!(
-        "const PLAN = {};\nconst PAGE = {options};\nconst MACHINE = {};\n",
-        declared.plan, declared.script
-    );
     let where_called = |call: &str, files: &'static [&'static str]| {
-        if declared.script.contains(call) { files } else { &[] }
+        if consts.contains(call) { files } else { &[] }
     };
     let (search, friction) =
         (where_called("c.root(", &SEARCH), where_called("amountsOf(", &FRICTION));
     let parts = [&ARITHMETIC[..], search, friction, &READS];
-    let computes = format!("\"use strict\";\n{machine}{}", squeeze::script(&parts.concat()));
-    let shows = format!("\"use strict\";\n{}", squeeze::script(&SHOWS));
-    Ok(filled(&[
+    let computes = format!("\"use strict\";\n{consts}{}", squeeze::script(&parts.concat()));
+    let shown = [where_called("const SETS", &SETS), &SHOWS].concat();
+    let shows = format!("\"use strict\";\n{}", squeeze::script(&shown));
+    filled(&[
         ("style", &squeeze::style(include_str!("page.css"))),
         ("title", &escaped(title)),
         ("docs", &escaped(docs)),
         ("computes", &unclosed(&computes)),
         ("shows", &unclosed(&shows)),
-    ]))
+    ])
 }
 
 /// The skeleton of a page with these texts in its gaps.

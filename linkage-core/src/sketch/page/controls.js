@@ -209,6 +209,9 @@ const named = () => [
 ];
 /// What is seen of the machine; no name of a declaration begins like these.
 const SEEN = ["~rate", "~over", "~shown"];
+/// The part of the address that says which set of inputs drives.
+const byIn = (set) => `~by=${encodeURIComponent(set)}`;
+const stated = (list) => list.map(([name, list, k]) => `${encodeURIComponent(name)}=${+list[k].toPrecision(9)}`);
 
 /// Writes the state behind the address, a little after the last change.
 const remember = () => {
@@ -216,8 +219,9 @@ const remember = () => {
   remember.later = setTimeout(() => {
     const seen = [state.rate, inputs[state.axis].name, state.shown];
     const parts = [
-      ...named().map(([name, list, k]) => `${encodeURIComponent(name)}=${+list[k].toPrecision(9)}`),
+      ...stated(named()),
       ...SEEN.map((name, k) => `${name}=${encodeURIComponent(typeof seen[k] === "number" ? +seen[k].toPrecision(9) : seen[k])}`),
+      ...(BY ? [byIn(BY.set)] : []),
     ];
     tellParent("state", { text: parts.join("&") });
     try {
@@ -256,7 +260,7 @@ const recall = (text) => {
     else if (name === "~rate" && isFinite(number)) state.rate = number;
     else if (name === "~over" && axis >= 0) state.axis = axis;
     else if (name === "~shown" && offered.includes(value)) state.shown = value;
-    else if (part) missed.push(part);
+    else if (part && !(BY && part === byIn(BY.set))) missed.push(part);
   }
   $("#missed").hidden = !missed.length;
   $("#missed").textContent = missed.length ? `The address holds what this page does not know: ${missed.slice(0, 3).join(", ").slice(0, 80)}` : "";

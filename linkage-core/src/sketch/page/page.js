@@ -272,7 +272,10 @@ const offered = PAGE.curves.length ? PAGE.curves : [...new Set([...rows.map(({ o
 
 /// What the address says, at first and whenever it is another one.
 const take = () => {
-  recall(takeAsked());
+  const text = takeAsked(), isOther = BY && SETS.some(({ set }) => set !== BY.set && text.split("&").includes(byIn(set)));
+  // A page is driven by one set, chosen while it loads.
+  if (isOther && !isInside) return location.reload();
+  recall(text);
   $("#axis").value = state.axis;
   showCurvesOf(state.shown);
   setPace();
@@ -291,6 +294,7 @@ const start = () => {
   choose("#axis", inputs.map(({ name }, k) => [k, name]));
   choose("#pace", PACES.map((x) => [x, paceWords(x)]));
   choose("#length", Object.keys(UNITS.length).map((unit) => [unit, unit]));
+  if (BY) offerSets();
   choose("#angle", Object.keys(UNITS.angle).map((unit) => [unit, unit]));
   $("#axis").parentElement.hidden = inputs.length < 2;
   $("#results").hidden = !offered.length;

@@ -55,6 +55,51 @@ impl Wishes {
         asked.try_for_each(|(known, name, kind)| named(known, name, kind).map(drop))
     }
 
+    /// What each of these declarations, which are driven by sets of inputs of one machine, is wished. A path is the
+    /// first one's.
+    pub(super) fn of_each(&self, sets: &[Declared<'_>]) -> Result<Vec<Self>, SketchError> {
+        let single = self.each();
+        for wish in &single {
+            let refusals = sets.iter().map(|set| wish.check(set));
+            refusals.reduce(Result::or).unwrap_or(Ok(()))?;
+        }
+        let of_set = |(nth, set): (usize, &Declared<'_>)| {
+            let known = single.iter().filter(|wish| wish.check(set).is_ok());
+            let path = if nth == 0 { self.path.clone() } else { Vec::new() };
+            let begun = Self {
+                title: self.title.clone(),
+                traces: self.traces.clone(),
+                path,
+                ..Self::default()
+            };
+            known.fold(begun, |mut all, wish| {
+                all.curves.extend_from_slice(&wish.curves);
+                all.ranges.extend_from_slice(&wish.ranges);
+                all.rates.extend_from_slice(&wish.rates);
+                all.loads.extend_from_slice(&wish.loads);
+                all
+            })
+        };
+        Ok(sets.iter().enumerate().map(of_set).collect())
+    }
+
+    /// Those that name something of the declaration, one by one.
+    fn each(&self) -> Vec<Self> {
+        let curves = self
+            .curves
+            .iter()
+            .map(|name| Self { curves: [name.clone()].into(), ..Self::default() });
+        let ranges = self
+            .ranges
+            .iter()
+            .map(|wish| Self { ranges: [wish.clone()].into(), ..Self::default() });
+        let rates =
+            self.rates.iter().map(|wish| Self { rates: [wish.clone()].into(), ..Self::default() });
+        let loads =
+            self.loads.iter().map(|wish| Self { loads: [wish.clone()].into(), ..Self::default() });
+        curves.chain(ranges).chain(rates).chain(loads).collect()
+    }
+
     /// The inputs: an angle without a range turns fully, a length has that of the path, and one without any is
     /// found by the page. They begin at the path, or in the pose in which the mechanism is drawn.
     pub(super) fn inputs(&self, declared: &Declared<'_>) -> String {

@@ -67,6 +67,22 @@ impl<N: Number> ProgramValues<N> {
     }
 }
 
+/// The numbers of these nodes, of which none stands on a search, by the nodes that they need.
+pub(crate) fn straight<N: Number>(
+    program: &Program,
+    given: &ProgramValues<N>,
+    (sinks, is_needed): (&[Id], &[bool]),
+) -> Vec<N> {
+    let graph = &program.graph;
+    let mut values = vec![N::exact(&Exact::integer(0)); graph.len()];
+    for (id, node) in graph.iter() {
+        if is_needed[id.index()] {
+            values[id.index()] = value(program, given, &values, node, None);
+        }
+    }
+    sinks.iter().map(|sink| values[sink.index()].clone()).collect()
+}
+
 /// The value of a node by those of its operands.
 pub(super) fn value<N: Number>(
     program: &Program,

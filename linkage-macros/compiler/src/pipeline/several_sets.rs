@@ -8,7 +8,7 @@ mod tests;
 use proc_macro2::TokenStream;
 
 use super::parsed::Parsed;
-use super::{Options, Output, resolved, solver, stub, text};
+use super::{Options, Output, common_range, resolved, solver, stub, text};
 use crate::codegen::{DrivenSet, generate_sets};
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::model::mechanism::Mechanism;
@@ -44,7 +44,9 @@ pub(super) fn compile(
         });
         sets.push(DrivenSet { set: &driving.set, mechanism });
     }
-    tokens.extend(generate_sets(&tree.name, &sets));
+    let has_page = text.is_some() && diagnostics.is_empty();
+    let shared = if diagnostics.is_empty() { common_range::lines(&sets) } else { Vec::new() };
+    tokens.extend(generate_sets(&tree.name, &sets, (&shared, has_page)));
     let notes = if diagnostics.is_empty() { notes } else { Vec::new() };
     Output { tokens, diagnostics, notes }
 }

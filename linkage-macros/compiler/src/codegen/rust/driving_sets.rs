@@ -38,8 +38,13 @@ impl DrivenSet<'_> {
     }
 }
 
-/// The struct of parameters under the declared name, and what leads from set to set.
-pub(crate) fn generate(name: &Ident, sets: &[DrivenSet<'_>]) -> TokenStream {
+/// The struct of parameters under the declared name, and what leads from set to set. `shared` says which stretch two sets
+/// have in common, a line each.
+pub(crate) fn generate(
+    name: &Ident,
+    sets: &[DrivenSet<'_>],
+    (shared, has_page): (&[String], bool),
+) -> TokenStream {
     let Some(first) = sets.first() else { return TokenStream::new() };
     let records = sets
         .iter()
@@ -48,25 +53,26 @@ pub(crate) fn generate(name: &Ident, sets: &[DrivenSet<'_>]) -> TokenStream {
     let own: Vec<_> = records.chain(solvers).chain([text(name)]).collect();
     let paths = Paths::beside(first.mechanism, own);
     let scalar = generated("T");
-    let structure = structure(name, first.mechanism, sets, (&paths, &scalar));
+    let structure = structure(name, first.mechanism, (sets, shared), (&paths, &scalar));
     let parameters = parameters(name, first.mechanism, sets, (&paths, &scalar));
     let pairs = sets.iter().flat_map(|from| {
         let others = sets.iter().filter(|to| to.set != from.set);
         others.map(|to| pair(from, to, (&paths, &scalar))).collect::<Vec<_>>()
     });
+    let page = has_page.then(|| page(name, sets, &paths));
     let import = paths.import_in_constant();
     // Records in the body of a function are seen from no module in it, so that none is made here.
     quote! {
         #structure
         #[allow(clippy::approx_constant, reason = "a drawn angle may be near a constant by chance")]
-        const _: () = { #import #parameters #(#pairs)* };
+        const _: () = { #import #parameters #(#pairs)* #page };
     }
 }
 
 fn structure(
     name: &Ident,
     mechanism: &Mechanism,
-    sets: &[DrivenSet<'_>],
+    (sets, shared): (&[DrivenSet<'_>], &[String]),
     (paths, scalar): (&Paths, &Ident),
 ) -> TokenStream {
     let (visibility, allowed) = (&mechanism.visibility, module::allowed());
@@ -76,7 +82,9 @@ fn structure(
         format!(" - [`{name}()`](Self::{name}): [`{}`], driven by {inputs}.", set.mechanism.name)
     });
     let lines = [" The parameters of one machine. Each set of inputs has a solver of them:", ""];
-    let lines = lines.map(str::to_string).into_iter().chain(list);
+    // A line without a mark would go on in the list.
+    let shared = shared.iter().flat_map(|line| [String::new(), line.clone()]);
+    let lines = lines.map(str::to_string).into_iter().chain(list).chain(shared);
     let fields = solver::fields(mechanism, paths, scalar);
     let float = paths.outside("f64");
     quote! {
@@ -128,6 +136,30 @@ fn parameters(
             fn default() -> Self { #default }
         }
         impl<#scalar: #any> #name<#scalar> { #(#solvers)* }
+    }
+}
+
+/// The page that is driven by one set or another.
+fn page(name: &Ident, sets: &[DrivenSet<'_>], paths: &Paths) -> TokenStream {
+    let Some((first, others)) = sets.split_first() else { return TokenStream::new() };
+    let [with_page, page, float] = ["with_page", "Page", "f64"].map(|item| paths.item(item));
+    let (machine, solver, set, called) = (text(name), first.solver(), first.set, text(first.set));
+    let name = used(name);
+    let others = others.iter().map(|other| {
+        let (set, called) = (other.set, text(other.set));
+        quote!(.or_set(#called, &self.#set()))
+    });
+    quote! {
+        #with_page! {
+            impl #name<#float> {
+                /// A page on which the machine is dragged, with these parameters at first. One set of inputs drives it;
+                /// a reader chooses which.
+                #[must_use]
+                pub fn page(&self) -> #page<#solver<#float>> {
+                    #page::of_set(#machine, #called, &self.#set()) #(#others)*
+                }
+            }
+        }
     }
 }
 

@@ -55,6 +55,9 @@ fn sets(tree: &Declaration) -> impl Iterator<Item = &InputSetStatement> {
     })
 }
 
+/// The functions of the struct of parameters, beside one for each set.
+const OF_MACHINES: [&str; 2] = ["new", "page"];
+
 /// Every set has a name of its own, and names each coordinate once, by a name that nothing else has.
 fn names_differ(tree: &Declaration, sets: &[&InputSetStatement], diagnostics: &mut Diagnostics) {
     let declared: Vec<_> = tree.statements.iter().flat_map(declared_by).collect();
@@ -65,6 +68,11 @@ fn names_differ(tree: &Declaration, sets: &[&InputSetStatement], diagnostics: &m
         {
             let message = format!("the name `{}` is taken; choose another", set.name);
             diagnostics.error_because(set.name.span(), message, "another set is called so");
+        }
+        if OF_MACHINES.iter().any(|taken| set.name == taken) {
+            let message = format!("the name `{}` is taken; choose another", set.name);
+            let reason = format!("each machine has a function `{}`", set.name);
+            diagnostics.error_because(set.name.span(), message, reason);
         }
         for (place, SetCoordinate { name, .. }) in set.coordinates.iter().enumerate() {
             if let Some((_, kind)) = declared.iter().find(|(other, _)| *other == name) {

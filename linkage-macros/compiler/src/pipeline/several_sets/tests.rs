@@ -56,6 +56,14 @@ fn mistakes_of_sets() {
         ("input hand { x = , y = tool.y }", ",: expected a number or a name, found `,`"),
         ("input hand { }", "hand: say what `hand` drives: `input hand { x = tool.x }`"),
         (
+            "input new { x = tool.x, y = tool.y }",
+            "new: the name `new` is taken; choose another / each machine has a function `new`",
+        ),
+        (
+            "input page { x = tool.x, y = tool.y }",
+            "page: the name `page` is taken; choose another / each machine has a function `page`",
+        ),
+        (
             "input motors { x = tool.x, y = tool.y }",
             "motors: the name `motors` is taken; choose another / another set is called so",
         ),
@@ -115,4 +123,59 @@ fn mistakes_of_sets() {
         }
     }
     assert!(other.is_empty(), "{other}");
+}
+
+/// The line about the stretch that two sets share, or nothing.
+fn both_ways(source: &str) -> Vec<String> {
+    let output = pipeline::compile(source.parse().expect("these are tokens"), &Options::ALL);
+    assert!(output.diagnostics.is_empty(), "{source}: {:?}", output.diagnostics);
+    let file = syn::parse2::<syn::File>(output.tokens).expect("it is Rust");
+    let docs = file.items.iter().filter_map(|item| match item {
+        syn::Item::Struct(item) => Some(&item.attrs),
+        _ => None,
+    });
+    let lines = docs.flatten().filter_map(|attribute| match &attribute.meta {
+        syn::Meta::NameValue(pair) => {
+            Some(quote::ToTokens::to_token_stream(&pair.value).to_string())
+        }
+        _ => None,
+    });
+    let lines = lines.filter(|line| line.contains("Both ways"));
+    lines.map(|line| line.trim_matches(['"', ' ']).to_string()).collect()
+}
+
+/// The stretches by their triangles: a crank and its slider between the dead points, a crank and its rocker between the
+/// rocker's, where crank and coupler are in one line.
+#[test]
+fn two_sets_share_a_stretch() {
+    // Dead points where sin θ = (−)e/(l ± r), x = √((l ± r)² − e²).
+    let slider = "struct Press { ground A(0, 0); guide rail through (0, 10mm) along 0deg;
+        pin B(30mm, 40mm), C(200mm, 10mm); link AB(A, B), BC(B, C), ram(C) on rail;
+        input side { theta = AB.angle } input press { x = C.x } }";
+    let (r, l, e) = (50.0, 170.0_f64.hypot(30.0), 10.0);
+    let [far, near] = [l + r, l - r];
+    let ends =
+        [(e / far).asin(), std::f64::consts::PI - (-e / near).asin() - std::f64::consts::TAU];
+    // The drawing has 53.13°: the next dead points are the far one below it, and the near one above, at 180° + asin e/(l − r).
+    let above = (ends[1] + std::f64::consts::TAU).to_degrees();
+    let [x_far, x_near] = [far, near].map(|of| (of * of - e * e).sqrt() / 1000.0);
+    let expected = format!(
+        "Both ways: `theta` from {}° to {}°, where `x` is from {} m to {} m.",
+        (ends[0].to_degrees() * 100.0).round() / 100.0,
+        (above * 100.0).round() / 100.0,
+        (x_far * 1e4).round() / 1e4,
+        (x_near * 1e4).round() / 1e4,
+    );
+    assert_eq!(both_ways(slider), [expected]);
+    // A parameter is at its default; two freedoms, and a search, have no such line.
+    let with_param =
+        slider.replace("link AB(A, B),", "param arm = 50mm; link AB(A, B) { length: arm } link");
+    let [line] = &both_ways(&with_param)[..] else { panic!("a line") };
+    assert!(line.ends_with(" m, with the parameters as declared."), "{line}");
+    assert!(
+        both_ways(&format!(
+            "struct M {{ {FIVE_BAR} {MOTORS} input hand {{ x = tool.x, y = tool.y }} }}"
+        ))
+        .is_empty()
+    );
 }
