@@ -116,12 +116,14 @@ fn all_pairs(poses: usize) -> Vec<(&'static str, Tally)> {
 
 /// Pairs whose worst pose lies next to a fold of the rhombus, or to a toggle: there the ratios themselves change within
 /// the error of an input, so that a condition of first order says too little. With them, what the worst of a hundred
-/// thousand poses was: over the condition of the way back, and over that of both ways.
-const WORSE: [(&str, [f64; 2]); 4] = [
+/// thousand poses was: over the condition of the way back, and over that of both ways. Of the last, a search behind three
+/// bars, more than one pose in a thousand is off by more than eight, and none by more than sixteen.
+const WORSE: [(&str, [f64; 2]); 5] = [
     ("FiveBarMotors -> FiveBarHand", [24.0, 16.0]),
     ("PantographArms -> PantographStylus", [920.0, 16.0]),
     ("PantographArms -> PantographCopy", [920.0, 16.0]),
     ("ScissorArm -> ScissorDeck", [870.0, 440.0]),
+    ("SixTracer -> SixCrankSide", [16.0, 16.0]),
 ];
 
 #[test]
