@@ -43,11 +43,12 @@ pub(crate) fn told(machine: &Machine<'_>, block: &Unit, given: &[f64]) -> Result
     }
     // A block keeps what it said before.
     for (_, at, count) in &block.outputs {
-        for place in *at..at + count {
-            numbers[place] = match numbers[place] {
+        let said = numbers.iter_mut().zip(&block.fields).skip(*at).take(*count);
+        for (number, field) in said {
+            *number = match number {
                 Value::Int(_) => Value::Int(77),
                 Value::Text(_) => Value::Text("before".to_string()),
-                _ => Value::of(block.fields[place].basic, 0.5),
+                _ => Value::of(field.basic, 0.5),
             };
         }
     }
