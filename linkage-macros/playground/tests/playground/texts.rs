@@ -42,6 +42,40 @@ fn every_machine_to_begin_with_has_a_page_and_exports() {
     }
 }
 
+/// A machine with two sets of inputs has one page and a solver each in C, and a mistake in either set is told once.
+#[test]
+fn sets_of_inputs_share_a_page_and_their_mistakes() {
+    let text = |hand: &str| {
+        format!(
+            "mechanism! {{ struct FiveBar {{ ground A(-50mm, 0), E(50mm, 0);
+             pin B(-120mm, 90mm), D(120mm, 90mm), tool(0, 200mm);
+             link AB(A, B), BC(B, tool), CD(D, tool), ED(E, D);
+             input motors {{ a = AB.angle, b = ED.angle }} input hand {{ x = tool.x, {hand} }} }} }}"
+        )
+    };
+    let of = |text: &str| -> Value {
+        serde_json::from_slice(&answered(text, CHECK)).expect("an answer is JSON")
+    };
+    let well = text("y = tool.y");
+    let answer = of(&well);
+    assert_eq!(answer["name"], "FiveBar");
+    let page = answer["page"].as_str().expect("there is a page");
+    assert!(page.contains("[{set:\"motors\",") && page.contains(",{set:\"hand\","), "{page}");
+    let c = answered(&well, C);
+    for name in ["five_bar_motors.c", "five_bar_hand.c", "five_bar.h"] {
+        assert!(c.windows(name.len()).any(|part| part == name.as_bytes()), "{name}");
+    }
+    for (hand, said) in [("", "hand"), ("y = tool.z", "z"), ("y = tol.y", "tol")] {
+        let wrong = text(hand);
+        let answer = of(&wrong);
+        assert!(answer["page"].is_null(), "{hand}");
+        let messages = answer["messages"].as_array().expect("there is a list");
+        let [message] = &messages[..] else { panic!("{answer}") };
+        let [from, to] = ["from", "to"].map(|end| message[end].as_u64().expect("it is a place"));
+        assert_eq!(&wrong[from as usize..to as usize], said, "{answer}");
+    }
+}
+
 /// Texts with a mistake have no solver, in any language, and letters of two words are counted as a browser counts them.
 #[test]
 fn mistakes_have_their_letters_and_nothing_else() {
