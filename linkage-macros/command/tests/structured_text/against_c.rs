@@ -38,12 +38,42 @@ struct Counts {
     lost: usize,
 }
 
+/// The parts that are compared beside one another: half of the time a compiler is waited for.
+const PARTS: usize = 4;
+
 /// Compares every so many declarations; none without a compiler.
 fn compare(every: usize, each: usize) -> Option<Counts> {
+    let parts = std::thread::scope(|scope| {
+        // Tokens stay with the thread that reads them.
+        let part = |part| scope.spawn(move || compare_part(every, each, part));
+        let parts: Vec<_> = (0..PARTS).map(part).collect();
+        parts.into_iter().map(|part| part.join().expect("all are equal")).collect::<Vec<_>>()
+    });
+    let (mut counts, mut looked, mut printed) = (Counts::default(), 0, 0);
+    for part in parts {
+        let (of_part, of_all) = part?;
+        counts.poses += of_part.poses;
+        counts.answered += of_part.answered;
+        counts.refused += of_part.refused;
+        counts.lost += of_part.lost;
+        printed += of_all[0];
+        looked += of_all[1];
+    }
+    assert!(printed > looked / 2, "{printed} of {looked}");
+    // A hundredth of them has a dimension that is drawn next to nothing.
+    assert!(counts.lost * 100 <= counts.poses, "{counts:?}");
+    println!("{printed} declarations, {counts:?}");
+    Some(counts)
+}
+
+/// The counts of a part, and how many of its declarations are printed.
+fn compare_part(every: usize, each: usize, part: usize) -> Option<(Counts, [usize; 2])> {
     let mut counts = Counts::default();
-    let chosen: Vec<(String, TokenStream)> = all().into_iter().step_by(every).collect();
+    let chosen = all().into_iter().step_by(every).enumerate();
+    let chosen: Vec<(usize, (String, TokenStream))> =
+        chosen.filter(|(nth, _)| nth % PARTS == part).collect();
     let mut printed = 0;
-    for (nth, (path, tokens)) in chosen.iter().enumerate() {
+    for (nth, (path, tokens)) in &chosen {
         let Some((texts, only)) = texts(tokens) else { continue };
         printed += 1;
         let mut project = Project::default();
@@ -55,7 +85,7 @@ fn compare(every: usize, each: usize) -> Option<Counts> {
             .filter(|unit| unit.is_block)
             .collect();
         let machine = Machine { project: &project };
-        let calls = calls(&machine, &blocks, each, nth as u64);
+        let calls = calls(&machine, &blocks, each, *nth as u64);
         let calls = calls.unwrap_or_else(|why| panic!("{path}, {}: {why}", texts[0].name));
         let files = c(tokens.clone(), only, None).expect("C is printed");
         let place = folder(&format!("{every}_{nth}"));
@@ -70,11 +100,7 @@ fn compare(every: usize, each: usize) -> Option<Counts> {
             counts.add(call, answer, &format!("{path}: {name} of {:?}", call.given));
         }
     }
-    assert!(printed > chosen.len() / 2, "{printed} of {}", chosen.len());
-    // A hundredth of them has a dimension that is drawn next to nothing.
-    assert!(counts.lost * 100 <= counts.poses, "{counts:?}");
-    println!("{printed} declarations, {counts:?}");
-    Some(counts)
+    Some((counts, [printed, chosen.len()]))
 }
 
 impl Counts {
