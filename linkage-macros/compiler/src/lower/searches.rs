@@ -24,6 +24,10 @@ pub(super) fn searches(
     let mut searches: Vec<Search> = Vec::new();
     for root in roots.chain(ends(program)) {
         let Some((solve, sought)) = program.graph.search(root) else { continue };
+        // Several groups may close by one root.
+        if searches.iter().any(|known| known.implicit == solve) {
+            continue;
+        }
         let unknown = &mechanism.unknowns[sought.unknown as usize];
         let name = unknown.name.to_string();
         // An unknown is searched in one way for an angle, in another for its cosine and sine.

@@ -97,6 +97,9 @@ impl Fitted<'_> {
     }
 }
 
+/// A square beyond a dead point, so small that its root is a hundredth of the least room of a search.
+const NEXT_TO_ZERO: f64 = 1e-10;
+
 /// Writes expressions at a place that messages about them point to.
 struct Writing(Span);
 
@@ -137,10 +140,10 @@ impl Writing {
     fn with_ends(&self, fit: Expr, ends: Option<DeadEnds>, falling: Expr, odd: &Ident) -> Expr {
         let Some(DeadEnds { mean, skew }) = ends else { return fit };
         let factor = sum(self.number(mean), self.times(self.name(odd), skew));
-        // Beyond a dead point it is zero, (x + |x|)/2: the search then finds no root, where a root of a negative number
-        // would be none itself.
+        // Beyond a dead point it is next to zero, (x + |x|)/2: the search then finds no root, where a root of a negative
+        // number would be none itself. Next to zero, a root has a slope.
         let size = root_of(self.product(falling.clone(), falling.clone()), self.0);
-        let falling = self.times(sum(falling, size), 0.5);
+        let falling = sum(self.times(sum(falling, size), 0.5), self.number(NEXT_TO_ZERO));
         sum(fit, self.product(root_of(falling, self.0), factor))
     }
 
