@@ -50,7 +50,7 @@ fn refused(name: &str, source: &str, [record, entry, loads]: [&str; 3]) -> Optio
         let mut words = line.splitn(3, ' ');
         let mut status = || words.next().and_then(|word| word.parse::<i32>().ok());
         let statuses = [status(), status()];
-        // Of a search it is a name.
+        // A search has a name in its place.
         let group = words.next().unwrap_or_default();
         assert_eq!(statuses[0], statuses[1], "{nth}: {line}");
         // Solved, out of reach, without a root, and with too many dead points.
