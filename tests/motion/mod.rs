@@ -5,6 +5,7 @@ mod chains;
 mod coefficients;
 mod identities;
 mod modes;
+mod parallelograms;
 mod placement;
 mod planted;
 mod published_tables;

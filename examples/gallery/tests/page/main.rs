@@ -9,5 +9,7 @@ mod contents;
 mod hard;
 mod machines;
 mod numbers;
+mod parallelograms;
 mod program;
+mod right;
 mod sets;

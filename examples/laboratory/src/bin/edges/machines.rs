@@ -100,8 +100,12 @@ macro_rules! machine {
                 angles().filter(of_long).take(POSES).collect()
             }
 
+            fn points(half: f64) -> Vec<[f64; 2]> {
+                map([$x, $y], half, ACROSS).collect()
+            }
+
             fn over_map(half: f64) -> Run {
-                let points: Vec<_> = map([$x, $y], half, ACROSS).collect();
+                let points = points(half);
                 let [x, y]: [Vec<f64>; 2] =
                     [0, 1].map(|axis| points.iter().map(|point| point[axis]).collect());
                 swept(points.len(), move |out, status| {
@@ -110,11 +114,16 @@ macro_rules! machine {
                 })
             }
 
-            /// The stroke and back.
-            fn along_stroke() -> Run {
-                let slides: Vec<f64> = (0..POSES)
-                    .map(|k| $rod + 0.95 * $r * (k as f64 * std::f64::consts::TAU / POSES as f64).sin())
-                    .collect();
+            /// The stroke and back, or the same beyond it.
+            fn stroke(is_met: bool) -> Vec<f64> {
+                let middle = if is_met { $rod } else { $rod + 2.0 * $r };
+                (0..POSES)
+                    .map(|k| middle + 0.95 * $r * (k as f64 * std::f64::consts::TAU / POSES as f64).sin())
+                    .collect()
+            }
+
+            fn along_stroke(is_met: bool) -> Run {
+                let slides = stroke(is_met);
                 swept(POSES, move |out, status| {
                     let out: RamPosition<&mut [f64]> = Record::from_array(out);
                     Ram::new().sweep_position(&slides, out, status, ()).expect(OK);
@@ -135,6 +144,9 @@ macro_rules! machine {
                         calls(of_long(met), |angle| Long::new().motion(angle, 2.0, 1.0))
                     })),
                     pair("2 map, 43 % reached", 3.0, [$far, $near].map(over_map)),
+                    pair("2 the same, calls", 3.5, [$far, $near].map(|half| {
+                        calls(points(half), |at| Hand::new().position(at))
+                    })),
                     pair("3 distance, sweep", 1.3, [
                         sweep_of!(WithDistance, WithDistancePosition, sweep_position, turn()),
                         sweep_of!(Plain, PlainPosition, sweep_position, turn()),
@@ -169,9 +181,13 @@ macro_rules! machine {
                     ]),
                     // Over a sweep of positions: nanoseconds are what counts.
                     pair("6 search in a sweep", f64::NAN, [
-                        along_stroke(),
+                        along_stroke(true),
                         sweep_of!(Plain, PlainPosition, sweep_position, turn()),
                     ]),
+                    pair("6 no root, a call", 1.0, [false, true].map(|met| {
+                        calls(stroke(met), |x| Ram::new().position(x))
+                    })),
+                    pair("6 no root, sweep", 3.0, [false, true].map(along_stroke)),
                 ]
             }
         }

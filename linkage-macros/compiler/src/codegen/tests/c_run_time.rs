@@ -132,7 +132,7 @@ fn arguments(random: &mut Random, which: i32, is_single: bool) -> [f64; 9] {
                 random.pick(&[FRAC_PI_4, FRAC_PI_2, PI]) * random.unit().round()
             }
             0 | 11 => (random.unit() - 0.5) * 2.0 * near,
-            // Of any size, and sometimes none.
+            // Numbers of any size, and sometimes none.
             1 if random.below(2) == 0 => random.any(if is_single { 128.0 } else { 1024.0 }),
             1 => (random.unit() - 0.5) * 4.0 * near,
             2 | 3 if random.below(10) > 0 => (random.unit() - 0.5) * 2.0,
