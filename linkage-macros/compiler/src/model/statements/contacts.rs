@@ -204,16 +204,10 @@ fn slider(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
     None
 }
 
-/// The links that meet at a pin: those that stand there, and those that are joined by it. Beside one that moves, a part of
-/// the ground does not turn there.
+/// The links that meet at a pin: those that stand there, and those that are joined by it.
 fn at_pin(scope: &Scope<'_>, pin: PointId) -> (Vec<LinkId>, Vec<LinkId>) {
     let standing = scope.mechanism.standing().into_iter();
-    let mut standing: Vec<_> =
-        standing.filter(|(point, _)| *point == pin).map(|(_, link)| link).collect();
-    let moves = |link: &LinkId| scope.facts.links[link.index()].moves;
-    if standing.iter().any(moves) {
-        standing.retain(moves);
-    }
+    let standing = standing.filter(|(point, _)| *point == pin).map(|(_, link)| link).collect();
     let mut groups = scope.mechanism.group_steps();
     let joined = groups.find(|group| group.pin == Some(pin) && group.links.len() == 2);
     (standing, joined.map_or(Vec::new(), |group| group.links.clone()))
@@ -234,7 +228,12 @@ fn base(scope: &Scope<'_>, pin: PointId) -> Option<Carrier> {
 /// `at C`: two bodies that meet there, and no load on the pin itself.
 fn only_pair(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
     let pin = uses::point(scope, name)?;
-    let (standing, joined) = at_pin(scope, pin);
+    let (mut standing, joined) = at_pin(scope, pin);
+    // Beside a link that moves, a part of the ground does not turn.
+    let moves = |link: &LinkId| scope.facts.links[link.index()].moves;
+    if standing.iter().any(moves) {
+        standing.retain(moves);
+    }
     match (&standing[..], &joined[..], base(scope, pin)) {
         (&[link], [], Some(against)) if !scope.mechanism.is_loaded_joint(pin) => {
             return Some(Contact::Pin { link, pin, against });
