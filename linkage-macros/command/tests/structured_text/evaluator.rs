@@ -219,6 +219,8 @@ fn arithmetic(sign: &str, a: Value, b: Value) -> Result<Value, Stopped> {
         (Value::Real(x), _) if zero(&b) => Value::Real(computed(sign, *x, 0.0)),
         (_, Value::Lreal(y)) if zero(&a) => Value::Lreal(computed(sign, 0.0, *y)),
         (_, Value::Real(y)) if zero(&a) => Value::Real(computed(sign, 0.0, *y)),
+        // A leg without length, squared.
+        _ if zero(&a) && zero(&b) && sign == "*" => Value::Literal(0.0),
         _ => panic!("{}: of two types", told()),
     };
     finite(value, told)
