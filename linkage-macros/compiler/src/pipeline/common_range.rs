@@ -32,7 +32,7 @@ pub(super) fn lines(sets: &[DrivenSet<'_>]) -> Vec<String> {
 }
 
 fn line(one: &Mechanism, other: &Mechanism) -> Option<String> {
-    let motion = Motion::between(one, other)?;
+    let motion = SharedMotion::between(one, other)?;
     let ends = motion.ends()?;
     let [from, to] = ends.map(|q| motion.numbers(q).map(|numbers| [q, motion.other(&numbers, q)]));
     let ([own, others], [own_to, others_to]) = (from?, to?);
@@ -57,7 +57,7 @@ fn short(value: f64) -> String {
 }
 
 /// The motion of one set's solver, with what tells the other's assembly.
-struct Motion<'a> {
+struct SharedMotion<'a> {
     mechanism: &'a Mechanism,
     program: Program,
     sinks: Vec<Id>,
@@ -68,7 +68,7 @@ struct Motion<'a> {
     drawn: f64,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> SharedMotion<'a> {
     /// Nothing where one of them has several inputs or a search, where the drawing tells no pose, or where a side of the
     /// other is not known by a sign.
     fn between(one: &'a Mechanism, other: &Mechanism) -> Option<Self> {
