@@ -11,11 +11,11 @@ use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::AtomScope;
 
 /// Prints what carries poses over between the solvers of one machine in C99: a header and a source beside those that
-/// [`c`] prints of each. The declarations are those of one machine that [`by_set`](crate::by_set) finds, marked each
+/// [`c`](crate::c) prints of each. The declarations are those of one machine that [`by_set`](crate::by_set) finds, marked each
 /// with its set. Nothing is printed where `only` leaves out the positions.
 ///
 /// # Errors
-/// As of [`c`].
+/// As of [`c`](crate::c).
 ///
 /// ```
 /// let source = "pub struct Arm { ground A(0, 0); pin B(1, 1); link AB(A, B);

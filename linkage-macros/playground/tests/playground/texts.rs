@@ -65,7 +65,7 @@ fn sets_of_inputs_share_a_page_and_their_mistakes() {
     for name in ["five_bar_motors.c", "five_bar_hand.c", "five_bar.h"] {
         assert!(c.windows(name.len()).any(|part| part == name.as_bytes()), "{name}");
     }
-    for (hand, said) in [("", "hand"), ("y = tool.z", "z"), ("y = tol.y", "tol")] {
+    for (hand, said) in [("", "hand"), ("y = tool.z", "tool.z"), ("y = tol.y", "tol")] {
         let wrong = text(hand);
         let answer = of(&wrong);
         assert!(answer["page"].is_null(), "{hand}");

@@ -1,6 +1,8 @@
 //! Inputs, and the right numbers there: poses by Newton's method over the drawn bodies and joints, which knows no groups, in
 //! steps from the drawing. A direction's first number is its cosine.
 
+use std::f64::consts::FRAC_PI_2;
+
 /// The inputs, and results by their labels.
 pub(super) type Right = (&'static [f64], &'static [(&'static str, f64)]);
 
@@ -61,7 +63,7 @@ pub(super) const DIRECT: &[Right] = &[
 pub(super) const SQUARE: &[Right] = &[
     (&[-1.0], &[("J3.x", 0.15403023058681), ("J3.y", -0.08414709848079)]),
     (&[0.9], &[("J3.x", 0.16216099682707), ("J3.y", 0.07833269096275)]),
-    (&[1.5707963267948966], &[("J3.x", 0.1), ("J3.y", 0.1)]),
+    (&[FRAC_PI_2], &[("J3.x", 0.1), ("J3.y", 0.1)]),
     (&[3.2], &[("J3.x", 0.00017052242052), ("J3.y", -0.00583741434276)]),
     (&[4.0], &[("J3.x", 0.03463563791364), ("J3.y", -0.07568024953079)]),
 ];
@@ -88,7 +90,7 @@ pub(super) const GUIDED: &[Right] = &[
         ],
     ),
     (
-        &[1.5707963267948966],
+        &[FRAC_PI_2],
         &[
             ("B.x", 1.3877787807814457e-17),
             ("B.y", 0.05),
