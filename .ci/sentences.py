@@ -27,8 +27,10 @@ PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
 
 
 def pages():
-    docs = os.path.join(ROOT, "linkage-core", "docs")
-    return PAGES + sorted("linkage-core/docs/" + f for f in os.listdir(docs) if f.endswith(".md"))
+    found = []
+    for docs in ("linkage-core/docs", "linkage-core/design/docs"):
+        found += sorted(f"{docs}/{f}" for f in os.listdir(os.path.join(ROOT, docs)) if f.endswith(".md"))
+    return PAGES + found
 
 
 def prose(text):

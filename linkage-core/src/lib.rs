@@ -5,11 +5,12 @@
 //! which groups of class III are solved, friction and a [`Tracker`] iterate. This crate is what the generated code runs
 //! on: the numbers, the results, the errors.
 //!
-//! **[The reference](crate::reference)** begins with a first machine in [Rust](reference::start_in_rust),
+//! **[The manual](crate::reference)** begins with a first machine in [Rust](reference::start_in_rust),
 //! [C](reference::start_in_c) or [a browser](reference::start_in_a_browser), and has every
-//! [statement](reference::language), [what is generated](reference::solver), [forces](reference::forces),
-//! [friction](reference::friction), and [recipes](reference::recipes) to copy. The program `linkage` prints
-//! [C99 and FMUs](reference::control) of the same declarations, and proves their rounding errors.
+//! [statement](reference::statements), [what is
+//! generated](reference::start_in_rust#what-a-declaration-generates), [forces and friction](reference::forces), [both
+//! directions](reference::both_directions), and [recipes](reference::recipes) to copy. The program `linkage` prints
+//! [C99 and FMUs](reference::controllers) of the same declarations, and proves their rounding errors.
 //!
 //! # A mechanism
 //!
@@ -84,7 +85,7 @@
 //! # Called from C
 //!
 //! With `export c;` in the declaration every entry point is also a C function, for `double` and for `float`
-//! ([control code](reference::control#from-c)). No other statement generates unsafe code. This one marks the functions
+//! ([control code](reference::controllers#from-c)). No other statement generates unsafe code. This one marks the functions
 //! `#[unsafe(no_mangle)]` and follows raw pointers, each of which is tested for null first; that it points to what its
 //! type says is C's to keep. A crate that forbids unsafe code cannot export.
 //!
@@ -203,7 +204,8 @@ pub use nalgebra;
 #[cfg(feature = "ad")]
 pub use num_dual;
 
-/// [The reference](crate::reference) has every statement, and machines to copy from.
+/// A solver of a machine that is declared as it is drawn, or cut into groups; [the manual](crate::reference) has every
+/// statement.
 ///
 #[cfg(feature = "macros")]
 pub use linkage_macros::mechanism;

@@ -1,34 +1,69 @@
-//! The reference: the language, what it generates, and machines to copy from.
+//! The manual: the first hour, statements, what they generate, and machines to copy from.
 //!
-//! | page | what is on it |
-//! |---|---|
-//! | [`start_in_a_browser`] | the first machine without Rust: drag it, change it, save C or an FMU; from PMKS+, SAM, pylinkage |
-//! | [`start_in_c`] | the first machine in C99: `cc`, then a declaration of your own |
-//! | [`start_in_rust`] | the first machine in a Rust program |
-//! | [`questions`] | fifty questions of newcomers, each with the heading that answers it |
-//! | [`language`] | machines as they are drawn or built; every statement; frames and signs; glossary |
-//! | [`cut`] | how a machine is cut into Assur groups; modes, limits, dead and change points, class III, drawn |
-//! | [`figures`] | the statements drawn: frames, signs, dimensions, modes |
-//! | [`expressions`] | numbers, units, functions, what an expression can read |
-//! | [`forces`] | masses and loads; efforts of drives and reactions of joints; motion from forces |
-//! | [`friction`] | friction in joints: forces, motion, holding bands, self-locking |
-//! | [`solver`] | what is generated and how it is called; errors, sweeps, derivatives |
-//! | [`recipes`] | parallelograms, cylinders, gears, inversors, engines, suspensions |
-//! | [`control`] | C99 and FMUs printed by the program `linkage`; without the standard library; from C |
-//! | [`robots`] | closed loops between motors and joints, both ways |
-//! | `linkage-design`, a crate of its own | dimensions for a function, a path or poses; tolerances and play |
-//! | [`method`] | formulas of the five dyads, limits, searches, forces, how errors are measured, literature |
-//! | [`measurements`] | accuracy, speed and size, with the commands that measure them |
+//! [Both directions]: self::both_directions
+//! [Both directions: Groups of class III]: self::both_directions#groups-of-class-iii
+//! [Both directions: Searching]: self::both_directions#searching
+//! [Both directions: Set-points and groups of class III]: self::both_directions#set-points-and-groups-of-class-iii
+//! [Both directions: Several sets of inputs]: self::both_directions#several-sets-of-inputs
+//! [Controllers]: self::controllers
+//! [Controllers: In a PLC]: self::controllers#in-a-plc
+//! [Controllers: In a simulator]: self::controllers#in-a-simulator
+//! [Controllers: Proved errors]: self::controllers#proved-errors
+//! [Controllers: Without the standard library]: self::controllers#without-the-standard-library
+//! [Controllers: Worst case]: self::controllers#worst-case
+//! [How a machine is cut]: self::cut
+//! [How a machine is cut: Change points]: self::cut#change-points
+//! [How a machine is cut: From a machine to its groups]: self::cut#from-a-machine-to-its-groups
+//! [How a machine is cut: Two modes]: self::cut#two-modes
+//! [Forces]: self::forces
+//! [Forces: Forces]: self::forces#forces
+//! [Forces: Forces that depend on the motion]: self::forces#forces-that-depend-on-the-motion
+//! [Forces: Friction]: self::forces#friction
+//! [Forces: From forces to motion]: self::forces#from-forces-to-motion
+//! [Forces: Stops]: self::forces#stops
+//! [Forces: Where it jams]: self::forces#where-it-jams
+//! [Method]: self::method_and_measurements
+//! [Method: Speed against error]: self::method_and_measurements#speed-against-error
+//! [Recipes]: self::recipes
+//! [Recipes: A hydraulic cylinder]: self::recipes#a-hydraulic-cylinder
+//! [Recipes: A parallelogram]: self::recipes#a-parallelogram
+//! [Recipes: Gears, belts, racks]: self::recipes#gears-belts-racks
+//! [Start in a browser]: self::start_in_a_browser
+//! [Start in a browser: From PMKS+, SAM, Linkage or pylinkage]: self::start_in_a_browser#from-pmks-sam-linkage-or-pylinkage
+//! [Start in C]: self::start_in_c
+//! [Start in C: A controller that is already there]: self::start_in_c#a-controller-that-is-already-there
+//! [Start in C: Float or double?]: self::start_in_c#float-or-double
+//! [Start in C: Your own machine]: self::start_in_c#your-own-machine
+//! [Start in Rust]: self::start_in_rust
+//! [Start in Rust: A four-bar]: self::start_in_rust#a-four-bar
+//! [Start in Rust: Derivatives]: self::start_in_rust#derivatives
+//! [Start in Rust: Errors]: self::start_in_rust#errors
+//! [Start in Rust: Many poses]: self::start_in_rust#many-poses
+//! [Start in Rust: What a declaration generates]: self::start_in_rust#what-a-declaration-generates
+//! [Statements]: self::statements
+//! [Statements: Frames and signs]: self::statements#frames-and-signs
+//! [Statements: Glossary]: self::statements#glossary
+//! [Statements: Operators and functions]: self::statements#operators-and-functions
+//! [Statements: Units]: self::statements#units
+//! [Statements: What an expression can read]: self::statements#what-an-expression-can-read
+//! [Statements: drive]: self::statements#drive
+//! [Statements: guide]: self::statements#guide
+//! [Statements: input]: self::statements#input
+//! [Statements: link]: self::statements#link
+//! [Statements: output]: self::statements#output
+//! [Statements: param]: self::statements#param
+//! [Statements: point]: self::statements#point
+//! [Statements: rpr]: self::statements#rpr
+//! [Designing]: https://docs.rs/linkage-design
 //!
-//! Begin with one of the three starts, and copy a machine from [`recipes`]. Look the rest up.
-//!
+#![doc = include_str!("../docs/README.md")]
 //! These modules hold documentation alone; the files are `docs/*.md` of the crate, whose links lead to
 //! each other there and, by the definitions that come first, to items here.
 
 pub mod start_in_a_browser {
     //! [In C]: super::start_in_c
     //! [Recipes]: super::recipes
-    //! [Statements]: super::language
+    //! [Statements]: super::statements
     //! [forces]: super::forces
     //! [in Rust]: super::start_in_rust
     //!
@@ -36,98 +71,57 @@ pub mod start_in_a_browser {
 }
 
 pub mod start_in_c {
-    //! [In C, without Rust]: super::control
+    //! [In C, without Rust]: super::controllers
+    //! [In a PLC]: super::controllers#in-a-plc
     //! [Recipes]: super::recipes
-    //! [Statements]: super::language
+    //! [Statements]: super::statements
     //! [forces]: super::forces
     //!
     #![doc = include_str!("../docs/start_in_c.md")]
 }
 
 pub mod start_in_rust {
-    //! [control code]: super::control#without-the-standard-library
+    //! [control code]: super::controllers#without-the-standard-library
+    //! [crate]: crate#features
     //! [forces]: super::forces
-    //! [sweeps]: super::solver
-    //! [the solver]: super::solver
+    //! [searching]: super::both_directions#searching
+    //! [`Direction`]: crate::Direction
+    //! [`Mechanism`]: crate::Mechanism
+    //! [`Point`]: crate::Point
+    //! [`Record::LABELS`]: crate::Record::LABELS
+    //! [`Record::links`]: crate::Record::links
+    //! [`Record::points`]: crate::Record::points
+    //! [`SlidingDirection`]: crate::SlidingDirection
+    //! [`SolveError`]: crate::SolveError
+    //! [`Status`]: crate::Status
+    //! [`Tracker`]: crate::Tracker
+    //! [`unwanted()`]: crate::unwanted
     //!
     #![doc = include_str!("../docs/start_in_rust.md")]
 }
 
-pub mod questions {
-    //! [How a machine is cut]: super::cut#from-a-machine-to-its-groups
-    //! [Controllers and simulators: In a PLC]: super::control#in-a-plc
-    //! [Controllers and simulators: In a simulator]: super::control#in-a-simulator
-    //! [Controllers and simulators: Without the standard library]: super::control#without-the-standard-library
-    //! [Forces]: super::forces#forces
-    //! [Forces: Forces that depend on the motion]: super::forces#forces-that-depend-on-the-motion
-    //! [Forces: From forces to motion]: super::forces#from-forces-to-motion
-    //! [Forces: Stops]: super::forces#stops
-    //! [Friction]: super::friction#friction
-    //! [Friction: Motion]: super::friction#motion
-    //! [Measurements: Proved errors]: super::measurements#proved-errors
-    //! [Measurements: Size]: super::measurements#size
-    //! [Measurements: Speed against error]: super::measurements#speed-against-error
-    //! [Method]: super::method
-    //! [Method: Limits]: super::method#limits
-    //! [Numbers and expressions: Numbers]: super::expressions#numbers
-    //! [Numbers and expressions: Operators and functions]: super::expressions#operators-and-functions
-    //! [Numbers and expressions: What an expression can read]: super::expressions#what-an-expression-can-read
-    //! [Recipes]: super::recipes
-    //! [Recipes: A hydraulic cylinder]: super::recipes#a-hydraulic-cylinder
-    //! [Recipes: A parallelogram]: super::recipes#a-parallelogram
-    //! [Recipes: Gears, belts, racks]: super::recipes#gears-belts-racks
-    //! [Robots: Loops in robots]: super::robots#loops-in-robots
-    //! [Start in C: A controller that is already there]: super::start_in_c#a-controller-that-is-already-there
-    //! [Start in C: Float or double?]: super::start_in_c#float-or-double
-    //! [Start in C: Your own machine]: super::start_in_c#your-own-machine
-    //! [Start in Rust: A four-bar]: super::start_in_rust#a-four-bar
-    //! [Start in a browser]: super::start_in_a_browser
-    //! [Start in a browser: From PMKS+, SAM, Linkage or pylinkage]: super::start_in_a_browser#from-pmks-sam-linkage-or-pylinkage
-    //! [Statements: Frames and signs]: super::language#frames-and-signs
-    //! [Statements: Glossary]: super::language#glossary
-    //! [Statements: Set-points and groups of class III]: super::language#set-points-and-groups-of-class-iii
-    //! [Statements: drive]: super::language#drive
-    //! [Statements: guide]: super::language#guide
-    //! [Statements: input]: super::language#input
-    //! [Statements: link]: super::language#link
-    //! [Statements: output]: super::language#output
-    //! [Statements: param]: super::language#param
-    //! [Statements: point]: super::language#point
-    //! [Statements: rpr]: super::language#rpr
-    //! [Statements: rrr]: super::language#rrr
-    //! [Statements: unknown, solve]: super::language#unknown-solve
-    //! [The solver: Derivatives]: super::solver#derivatives
-    //! [The solver: Errors]: super::solver#errors
-    //! [The solver: Many poses]: super::solver#many-poses
-    //! [The solver: Searching]: super::solver#searching
-    //! [The solver: What a declaration generates]: super::solver#what-a-declaration-generates
-    //!
-    #![doc = include_str!("../docs/questions.md")]
-}
-
-pub mod language {
-    //! [control]: super::control
+pub mod statements {
+    //! [control]: super::controllers
     //! [cut]: super::cut
-    //! [expressions]: super::expressions
     //! [figures]: super::figures
     //! [forces]: super::forces
-    //! [friction]: super::friction
-    //! [measurements]: super::measurements
+    //! [friction]: super::forces#friction
+    //! [measurements]: super::method_and_measurements#against-other-methods
     //! [parallelogram]: super::recipes#a-parallelogram
-    //! [`extrema`]: crate::range::extrema()
-    //! [`limits`]: crate::range::limits()
-    //! [`Tracker`]: crate::Tracker
+    //! [sets]: super::both_directions#several-sets-of-inputs
+    //! [unknown]: super::both_directions#unknown-and-solve
+    //! [`SolveError::Invalid`]: crate::SolveError::Invalid
     //!
     // The page's figures as they are, ahead of the files that the page names where it is read by itself:
     // of two definitions the first holds.
     #![doc = include_str!("figures/drawn.md")]
-    #![doc = include_str!("../docs/language.md")]
+    #![doc = include_str!("../docs/statements.md")]
 }
 
 pub mod cut {
-    //! [dyads]: super::language#dyads
-    //! [set-points]: super::language#set-points-and-groups-of-class-iii
-    //! [sets]: super::language#several-sets-of-inputs
+    //! [dyads]: super::statements#dyads
+    //! [set-points]: super::both_directions#groups-of-class-iii
+    //! [sets]: super::both_directions#several-sets-of-inputs
     //! [`limits`]: crate::range::limits()
     //! [`Tracker`]: crate::Tracker
     //!
@@ -137,8 +131,7 @@ pub mod cut {
 
 pub mod figures {
     //! A figure for each statement, every place in it computed by a solver: frames, dimensions,
-    //! and the other mode, dotted. The letters are explained in [the
-    //! language](super::language).
+    //! and the other mode, dotted. The letters are explained with the [statements](super::statements).
     //!
     //! # Drivers
     //! <div>
@@ -201,49 +194,36 @@ pub mod figures {
     //! </div>
 }
 
-pub mod expressions {
-    //! [`SolveError::Invalid`]: crate::SolveError::Invalid
-    //!
-    #![doc = include_str!("../docs/expressions.md")]
-}
-
 pub mod forces {
-    //! [friction]: super::friction
-    //! [language]: super::language
+    //! [change points]: super::cut#change-points
+    //! [unknown]: super::both_directions#unknown-and-solve
     //! [`Series`]: crate::Series
+    //! [`SolveError::Jams`]: crate::SolveError::Jams
     //! [`Tracker`]: crate::Tracker
     //!
     #![doc = include_str!("../docs/forces.md")]
 }
 
-pub mod friction {
-    //! [forces]: super::forces
-    //! [`SolveError::Jams`]: crate::SolveError::Jams
+pub mod both_directions {
+    //! [class III]: super::cut#class-iii
+    //! [forces]: super::forces#beside-an-unknown
+    //! [`Search::find_output`]: crate::find::Search::find_output
+    //! [`Tracker`]: crate::Tracker
+    //! [`find`]: crate::find
+    //! [`limits`]: crate::range::limits()
+    //! [`range::extrema_of`]: crate::range::extrema_of
+    //! [`range::extrema`]: crate::range::extrema()
+    //! [`range::limits`]: crate::range::limits()
     //!
-    #![doc = include_str!("../docs/friction.md")]
+    #![doc = include_str!("figures/drawn_searches.md")]
+    #![doc = include_str!("../docs/both_directions.md")]
 }
 
-pub mod solver {
-    //! [`Direction`]: crate::Direction
-    //! [`Mechanism`]: crate::Mechanism
-    //! [`Point`]: crate::Point
-    //! [`Record::LABELS`]: crate::Record::LABELS
-    //! [`Record::links`]: crate::Record::links
-    //! [`Record::points`]: crate::Record::points
-    //! [`SlidingDirection`]: crate::SlidingDirection
-    //! [`SolveError`]: crate::SolveError
-    //! [`Status`]: crate::Status
-    //! [`Tracker`]: crate::Tracker
-    //! [`Search::find_output`]: crate::find::Search::find_output
-    //! [`find`]: crate::find
-    //! [`range::extrema`]: crate::range::extrema()
-    //! [`range::extrema_of`]: crate::range::extrema_of
-    //! [`range::limits`]: crate::range::limits()
-    //! [`unwanted()`]: crate::unwanted
-    //! [forces]: super::forces
-    //! [measurements]: super::measurements
+pub mod controllers {
+    //! [measurements]: super::method_and_measurements#bounds-and-errors
+    //! [start]: super::start_in_c#your-own-machine
     //!
-    #![doc = include_str!("../docs/solver.md")]
+    #![doc = include_str!("../docs/controllers.md")]
 }
 
 pub mod recipes {
@@ -254,25 +234,8 @@ pub mod recipes {
     #![doc = include_str!("../docs/recipes.md")]
 }
 
-pub mod control {
-    //! [measurements]: super::measurements
+pub mod method_and_measurements {
+    //! [control]: super::controllers
     //!
-    #![doc = include_str!("../docs/control.md")]
-}
-
-pub mod robots {
-    //! [`limits`]: crate::range::limits()
-    //! [sets of inputs]: super::language#several-sets-of-inputs
-    //!
-    #![doc = include_str!("../docs/robots.md")]
-}
-
-pub mod method {
-    #![doc = include_str!("../docs/method.md")]
-}
-
-pub mod measurements {
-    //! [control]: super::control
-    //!
-    #![doc = include_str!("../docs/measurements.md")]
+    #![doc = include_str!("../docs/method_and_measurements.md")]
 }

@@ -1,5 +1,5 @@
-//! The pages of the reference are read in two places: as `docs/*.md` where the repository is shown,
-//! and as modules in the documentation. A link there is a name, `[text][name]`, which the page
+//! The pages of the manual are read in two places: as `docs/*.md` where the repository is shown,
+//! and as modules in the documentation. `docs/README.md`, their index, is the documentation of `reference` itself. A link there is a name, `[text][name]`, which the page
 //! defines at its end as a file, and `reference.rs` in front of the page as an item or a figure: the
 //! first definition counts.
 
@@ -72,7 +72,11 @@ fn links_lead_somewhere_in_the_repository_and_in_the_documentation() {
         let page = read(&format!("docs/{file}"));
         let text = prose(&page);
         let name = file.strip_suffix(".md").expect("pages are markdown");
-        let module = modules.split_once(&format!("pub mod {name} {{")).expect("a module").1;
+        let module = if name == "README" {
+            &modules
+        } else {
+            modules.split_once(&format!("pub mod {name} {{")).expect("a module").1
+        };
         let module = module.split_once(&format!("docs/{file}")).expect("it includes the page").0;
         let own = module.lines().filter_map(|line| line.trim_start().strip_prefix("//! "));
         let own: String = own.map(|line| format!("{line}\n")).collect();

@@ -16,9 +16,15 @@ use linkage_core::sketch::{SketchError, Theme};
 /// # Errors
 /// A drawing that fails, by a mistake in a figure.
 pub fn addresses() -> Result<String, SketchError> {
-    let mut all = statements(Theme::Auto)?;
-    all.push(("suspension", crate::motions::of_unknowns().to_svg()?));
-    Ok(as_addresses(all))
+    statements(Theme::Auto).map(as_addresses)
+}
+
+/// The film of the page about searches, in the same way.
+///
+/// # Errors
+/// A drawing that fails, by a mistake in a figure.
+pub fn addresses_of_searches() -> Result<String, SketchError> {
+    Ok(as_addresses(vec![("suspension", crate::motions::of_unknowns().to_svg()?)]))
 }
 
 /// The same of the page about limits.

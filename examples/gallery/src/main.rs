@@ -56,6 +56,7 @@ fn committed() -> Result<(), SketchError> {
     std::fs::write(kept.join("suspension.svg"), gallery::motions::of_unknowns().to_svg()?)?;
     std::fs::write(kept.join("drawn.md"), figures::addresses()?)?;
     std::fs::write(kept.join("drawn_limits.md"), figures::addresses_of_limits()?)?;
+    std::fs::write(kept.join("drawn_searches.md"), figures::addresses_of_searches()?)?;
     let kept = root.join("examples/gallery/films");
     std::fs::create_dir_all(&kept)?;
     for (name, film) in gallery::readme() {

@@ -117,7 +117,7 @@ fn the_start_in_c_can_be_followed() {
             _ => {}
         }
     }
-    assert_eq!(steps, 7, "{page}");
+    assert_eq!(steps, 8, "{page}");
 }
 
 #[test]
@@ -125,13 +125,13 @@ fn the_page_for_c_can_be_followed() {
     if Command::new("cc").arg("--version").output().is_err() {
         return skipped::skipped("the page for C: no cc");
     }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linkage-core/docs/control.md");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linkage-core/docs/controllers.md");
     let page = fs::read_to_string(root).expect("the page is there");
-    let [("text", declaration), ("c", program), ("text", session), ..] = &blocks(&page)[..] else {
-        panic!("a declaration, a program, and what is typed")
+    let [("text", declaration), ("console", session), ..] = &blocks(&page)[..] else {
+        panic!("a declaration, and a session that is typed")
     };
     let folder = empty_folder("control_page");
     fs::write(folder.join("shear.rs"), declaration).expect("a file can be written");
-    fs::write(folder.join("main.c"), program).expect("a file can be written");
-    assert!(followed(session, &folder) > 3, "{session}");
+    assert_eq!(followed(session, &folder), 3, "{session}");
+    typed("cc -std=c99 -Wall -Werror -c control/*.c", &folder);
 }

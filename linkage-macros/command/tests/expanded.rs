@@ -107,9 +107,11 @@ fn formulas(expansion: &str) -> String {
 
 #[test]
 fn the_documentation_shows_the_formulas() {
-    const PAGE: &str = "linkage-core/docs/solver.md";
+    const PAGE: &str = "linkage-core/docs/method_and_measurements.md";
     let page = read(PAGE);
-    let (before, rest) = page.split_once("```text\n").expect("the page shows code");
+    let heading = page.find("\n## The code\n").expect("the page shows code");
+    let start = heading + page[heading..].find("```text\n").expect("behind its heading");
+    let (before, rest) = (&page[..start], &page[start + "```text\n".len()..]);
     let (shown, after) = rest.split_once("```\n").expect("its end");
     let made = formulas(&expansion());
     if std::env::var_os("LINKAGE_RENEW").is_some() {

@@ -1,4 +1,4 @@
-//! Parts of declarations in README and the language's page, which stand there without the rest of their
+//! Parts of declarations in README and the page of statements, which stand there without the rest of their
 //! mechanism: each compiles inside one. Whole declarations are examples of the documentation's own.
 
 use std::fs;
@@ -98,7 +98,7 @@ const QUANTITIES: [(&str, &str); 4] = [
 fn quantities_of_the_page_drive_a_machine() {
     let lines: Vec<&str> = QUANTITIES.iter().map(|(line, _)| *line).collect();
     let block = format!("```text\n{}\n```", lines.join("\n"));
-    assert!(page("linkage-core/docs/language.md").contains(&block), "{block}");
+    assert!(page("linkage-core/docs/statements.md").contains(&block), "{block}");
     for (line, machine) in QUANTITIES {
         let mistakes = diagnostics(&format!("{machine} {line}"));
         assert!(mistakes.is_empty(), "{line}: {mistakes:?}");
@@ -108,7 +108,7 @@ fn quantities_of_the_page_drive_a_machine() {
 #[test]
 fn parts_of_declarations_compile() {
     let mut seen = 0;
-    for path in ["README.md", "linkage-core/docs/language.md"] {
+    for path in ["README.md", "linkage-core/docs/statements.md"] {
         let page = page(path);
         for block in blocks(&page) {
             let is_formula = block.starts_with("B = K + yoke.slide");

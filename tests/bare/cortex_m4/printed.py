@@ -52,7 +52,7 @@ int main(void)
 
 def declaration():
     """The declaration on the manual's page about C."""
-    page = (ROOT / "linkage-core/docs/control.md").read_text()
+    page = (ROOT / "linkage-core/docs/controllers.md").read_text()
     return re.search(r"```text\n(mechanism! \{.*?\n\})\n```", page, flags=re.S).group(1)
 
 

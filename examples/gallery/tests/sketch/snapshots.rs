@@ -44,6 +44,8 @@ fn documentation_and_readme_show_what_is_drawn_now() {
     differs("linkage-core/src/figures/drawn.md", &gallery::figures::addresses().unwrap());
     let of_limits = gallery::figures::addresses_of_limits().unwrap();
     differs("linkage-core/src/figures/drawn_limits.md", &of_limits);
+    let of_searches = gallery::figures::addresses_of_searches().unwrap();
+    differs("linkage-core/src/figures/drawn_searches.md", &of_searches);
     for (name, film) in gallery::readme() {
         differs(&format!("examples/gallery/films/{name}.svg"), &film.to_svg().unwrap());
     }

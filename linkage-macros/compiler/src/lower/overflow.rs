@@ -6,7 +6,7 @@
 //! A number that carries derivatives tests its results in any case, because a derivative may overflow
 //! where the value does not.
 //!
-//! This saves a fifth of a solver's instructions: `measurements.md` of the run-time crate says how
+//! This saves a fifth of a solver's instructions: `examples/laboratory/README.md` says how
 //! that was counted.
 
 use super::input_limits::InputLimits;
