@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a solver needs on the machine: instructions, stack and code, as the README's table.
+"""What a solver needs on the machine: instructions, stack and code, as the manual has them.
 
 Run from anywhere: tests/bare/measure.py. Needs Cargo, gcc and valgrind. Everything is compiled
 for this machine's plain instruction set; counts are of one call through the C interface.
@@ -40,7 +40,7 @@ def run(*command, **options):
 def library(level):
     """The solvers at an optimisation level, and their headers."""
     # Writes the package and the headers.
-    run("cargo", "test", "--test", "bare", "c_caller", "--", "--include-ignored")
+    run("cargo", "test", "--test", "crates", "c_caller", "--", "--include-ignored")
     kept = WORK / f"solvers-{level}.a"
     environment = {"CARGO_PROFILE_RELEASE_OPT_LEVEL": level}
     run("cargo", "build", "--release", "--offline", "--target-dir", BARE / "target",
