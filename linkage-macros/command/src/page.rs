@@ -1,7 +1,7 @@
 //! The verb `page`: pages on which machines are dragged.
 
 use linkage_compiler::{PageParts, page};
-use linkage_core::sketch::{Declared, Machine, Wishes, html, html_of_sets};
+use linkage_core::sketch::{Declared, Machine, Wishes, html_of_sets};
 use syn::ext::IdentExt;
 
 use crate::arguments::Page;
@@ -65,16 +65,12 @@ fn written(sets: &[Driven], arguments: &Page) -> Result<(String, String), Failur
         (set, Machine { name, docs, declared, values })
     });
     let machines: Vec<_> = machines.collect();
-    let page = match (&machines[..], &sets[0].driven) {
-        ([_, _, ..], Some([machine, _])) => {
-            html_of_sets(machine, &machines, &wishes).map(|page| (machine.clone(), page))
-        }
-        ([(_, machine), ..], _) => {
-            html(machine, &wishes).map(|page| (machine.name.to_string(), page))
-        }
-        ([], _) => unreachable!("each page has a mechanism"),
+    let name = match (sets, &sets[0].driven) {
+        ([_, _, ..], Some([machine, _])) => machine,
+        _ => &sets[0].parts.name,
     };
-    page.map_err(|error| Failure::Unusable(error.to_string()))
+    let page = html_of_sets(name, &machines, &wishes);
+    page.map(|page| (name.clone(), page)).map_err(|error| Failure::Unusable(error.to_string()))
 }
 
 fn wishes(sets: &[Driven], arguments: &Page) -> Result<Wishes, Failure> {

@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 
 include!("data/shear.rs");
 include!("data/five_bar.rs");
+include!("data/one_set.rs");
 
 fn linkage(arguments: &[&str]) -> Output {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
@@ -81,6 +82,10 @@ fn sets_of_inputs_share_a_page() {
     let one = robot.hand().page().to_html().expect("it can be drawn");
     assert!(!one.contains("const SETS"));
     assert_eq!(page(&["--inputs", "hand"]), Ok(one));
+    let one_set = linkage(&["page", "one_set.rs", "-o", file.to_str().expect("it is a text")]);
+    assert!(one_set.status.success(), "{}", told(&one_set.stderr));
+    let page_of_arm = Arm::new().page().to_html().expect("it can be drawn");
+    assert_eq!(fs::read_to_string(&file).expect("it was written"), page_of_arm);
     let mistake = page(&["--between", "z=1mm..2mm"]).expect_err("none has it");
     assert!(mistake.contains("is named `z`: `a`, `b`, `x`, `y`, `upper`"), "{mistake}");
     let mistake = robot.page().range("z", 0.0..=1.0).to_html().expect_err("none has it");

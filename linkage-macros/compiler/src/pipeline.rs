@@ -150,13 +150,7 @@ pub fn drawing(
     let (mechanism, _) = understood(source)?;
     let program = placing(&mechanism);
     let unknowns = unknown_words(&mechanism);
-    let given = ProgramValues {
-        inputs: inputs.iter().map(|&q| [q, 0.0, 0.0]).collect(),
-        params: mechanism.params.iter().map(Param::default_value).collect(),
-        loads: vec![0.0; mechanism.dynamics.loads.len()],
-        drives: vec![0.0; mechanism.inputs.len()],
-        unit: None,
-    };
+    let given = at_defaults(&mechanism, inputs);
     let numbers = placed(&program, &given, &unknowns, conditions);
     Ok(DrawnPose { plan: PlanParts::of(&mechanism), numbers })
 }
@@ -183,6 +177,17 @@ pub fn report(source: TokenStream, options: &ReportOptions) -> Result<Report, Ve
     let made = report::of(&mechanism, (&program, &lowered), &source, options, &mut diagnostics);
     diagnostics.finish().map_err(|Failure(mistakes)| mistakes)?;
     Ok(made.expect("a report that is not made says why"))
+}
+
+/// The inputs at rest, with parameters at their defaults and nothing applied.
+fn at_defaults(mechanism: &Mechanism, inputs: &[f64]) -> ProgramValues<f64> {
+    ProgramValues {
+        inputs: inputs.iter().map(|&q| [q, 0.0, 0.0]).collect(),
+        params: mechanism.params.iter().map(Param::default_value).collect(),
+        loads: vec![0.0; mechanism.dynamics.loads.len()],
+        drives: vec![0.0; mechanism.inputs.len()],
+        unit: None,
+    }
 }
 
 /// The words for each unknown.

@@ -13,7 +13,7 @@ mod zip;
 use linkage_compiler::{
     Diagnostic, Level, PageParts, WrittenPlace, by_set, declarations, machine_and_set, places,
 };
-use linkage_core::sketch::{Declared, Machine, Wishes, html, html_of_sets};
+use linkage_core::sketch::{Declared, Machine, Wishes, html_of_sets};
 use proc_macro2::{LexError, Span, TokenStream};
 use serde_json::{Value, json};
 
@@ -221,10 +221,7 @@ fn page(sets: &[TokenStream], parts: &[PageParts], text: &str) -> String {
         .map(|set| machine_and_set(set).map_or(String::new(), |[_, set]| set.to_string()))
         .collect();
     let machines: Vec<_> = names.iter().map(String::as_str).zip(machines).collect();
-    let page = match &machines[..] {
-        [(_, machine)] => html(machine, &Wishes::default()),
-        _ => html_of_sets(&name_of(sets, parts), &machines, &Wishes::default()),
-    };
+    let page = html_of_sets(&name_of(sets, parts), &machines, &Wishes::default());
     page.expect("nothing is wished that could be unknown")
 }
 

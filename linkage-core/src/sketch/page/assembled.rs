@@ -70,8 +70,8 @@ pub fn html(machine: &Machine<'_>, wishes: &Wishes) -> Result<String, SketchErro
 }
 
 /// The page of a machine that has several sets of inputs, each with its name and the mechanism that it drives. The first
-/// drives the page, until a reader chooses another. A wish is one of the sets that have what it names, and a path is the
-/// first set's.
+/// drives the page, until a reader chooses another. One set alone is a page without a choice. A wish is one of the sets that
+/// have what it names, and a path is the first set's.
 ///
 /// # Errors
 /// `UnknownName` for a curve, a range, a rate or a load of nothing that is declared.
@@ -80,6 +80,9 @@ pub fn html_of_sets(
     sets: &[(&str, Machine<'_>)],
     wishes: &Wishes,
 ) -> Result<String, SketchError> {
+    if let [(_, machine)] = sets {
+        return html(machine, wishes);
+    }
     let all: Vec<_> = sets.iter().map(|(_, machine)| machine.declared).collect();
     let wishes_of = wishes.of_each(&all)?;
     let objects = sets.iter().zip(&wishes_of).map(|((set, machine), wishes)| {

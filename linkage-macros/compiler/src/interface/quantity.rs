@@ -61,6 +61,14 @@ pub(crate) struct Layout {
     pub words: &'static str,
 }
 
+impl Layout {
+    /// True for each scalar row that is an angle, whose components are its cosine and sine.
+    pub(crate) fn are_angles(&self) -> impl Iterator<Item = bool> {
+        let has_direction = self.parts.len() > self.rows.len();
+        (0..self.rows.len()).map(move |row| has_direction && row == 0)
+    }
+}
+
 impl Quantity {
     /// All of them.
     pub(crate) const EVERY: [Self; 8] = [

@@ -4,14 +4,13 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::diagnostics::Diagnostics;
-use crate::ir::interpret::ProgramValues;
 use crate::ir::posing::{Conditions, GuardedValue, SoughtRoot, placed};
 use crate::ir::program::Program;
-use crate::model::mechanism::{Carrier, Mechanism, Param, Touching};
+use crate::model::mechanism::{Carrier, Mechanism, Touching};
 use crate::model::touching;
 use crate::reach::turn::degrees;
 
-use super::unknown_words;
+use super::{at_defaults, unknown_words};
 
 /// The poses of a turn, and the halvings between two of them.
 const POSES: u32 = 720;
@@ -102,13 +101,7 @@ fn off(
     angle: f64,
     input: f64,
 ) -> f64 {
-    let given = ProgramValues {
-        inputs: vec![[input, 0.0, 0.0]],
-        params: mechanism.params.iter().map(Param::default_value).collect(),
-        loads: vec![0.0; mechanism.dynamics.loads.len()],
-        drives: vec![0.0; mechanism.inputs.len()],
-        unit: None,
-    };
+    let given = at_defaults(mechanism, &[input]);
     let numbers = placed(program, &given, &unknown_words(mechanism), &mut AsComputed);
     let [[x0, y0], [x1, y1]] = [touching.hinge, touching.on]
         .map(|point| [numbers[2 * point.index()], numbers[2 * point.index() + 1]]);

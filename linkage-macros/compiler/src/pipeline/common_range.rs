@@ -3,16 +3,16 @@
 
 use syn::ext::IdentExt;
 
-use super::program;
+use super::{at_defaults, program};
 use crate::codegen::DrivenSet;
 use crate::interface::Interface;
 use crate::interface::carried_over::{Assembled, CarriedOver, PlaceInPose, SideLine};
 use crate::interface::entries::Analysis;
 use crate::interface::quantity::{Order, Quantity};
 use crate::ir::graph::Id;
-use crate::ir::interpret::{ProgramValues, straight};
+use crate::ir::interpret::straight;
 use crate::ir::program::{Liveness, Program};
-use crate::model::mechanism::{Input, Mechanism, Param};
+use crate::model::mechanism::{Input, Mechanism};
 use crate::reach::turn::degrees;
 
 /// Steps of a turn, and of the machine's size. A motion that goes on beyond four sizes has no end that is looked for.
@@ -88,10 +88,7 @@ impl<'a> SharedMotion<'a> {
         let is_needed = Liveness::of(&program, &sinks).fast;
         let (mut rows, mut at) = (Vec::new(), 0);
         for output in &one.outputs {
-            let layout = Quantity::of(&output.kind).layout(Order::Position);
-            let has_direction = layout.parts.len() > layout.rows.len();
-            for row in 0..layout.rows.len() {
-                let is_angle = has_direction && row == 0;
+            for is_angle in Quantity::of(&output.kind).layout(Order::Position).are_angles() {
                 rows.push((at, is_angle));
                 at += if is_angle { 2 } else { 1 };
             }
@@ -101,13 +98,7 @@ impl<'a> SharedMotion<'a> {
 
     /// The numbers of the position, or nothing where there is no pose.
     fn numbers(&self, q: f64) -> Option<Vec<f64>> {
-        let given = ProgramValues {
-            inputs: vec![[q, 0.0, 0.0]],
-            params: self.mechanism.params.iter().map(Param::default_value).collect(),
-            loads: Vec::new(),
-            drives: vec![0.0],
-            unit: None,
-        };
+        let given = at_defaults(self.mechanism, &[q]);
         let numbers = straight(&self.program, &given, (&self.sinks, &self.is_needed));
         numbers.iter().all(|number| number.is_finite()).then_some(numbers)
     }

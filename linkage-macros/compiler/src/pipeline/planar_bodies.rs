@@ -4,13 +4,10 @@ use proc_macro2::{Ident, TokenStream};
 use syn::ext::IdentExt;
 
 use super::parsed::{Parsed, parsed};
-use super::{placing, resolved};
+use super::{at_defaults, placing, resolved, unknown_words};
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::AtomScope;
-use crate::interface::quantity::Order;
-use crate::interface::units_in_words::unit;
-use crate::ir::interpret::ProgramValues;
-use crate::ir::posing::{Conditions, UnknownWords, placed};
+use crate::ir::posing::{Conditions, placed};
 use crate::model::acting::{Ends, Magnitude, MassPlace, Stopped};
 use crate::model::mechanism::{Carrier, LinkId, Mechanism, Param, PointId, Scalar};
 use crate::model::{DrivenQuantity, PlanarQuantity, driven_quantities, value_at_defaults};
@@ -146,20 +143,7 @@ impl<'a> Made<'a> {
     fn of(mechanism: &'a Mechanism, conditions: &mut dyn Conditions) -> Option<Self> {
         mechanism.outline.as_ref()?;
         let inputs = mechanism.drawn.as_deref()?;
-        let unknowns = mechanism.unknowns.iter().map(|unknown| UnknownWords {
-            title: mechanism.title_of_unknown(unknown).to_string(),
-            unit: unit(unknown.measure, Order::Position),
-            checks_span_at_run_time: unknown.dimension.angle
-                && unknown.between.iter().any(|end| end.constant().is_none()),
-        });
-        let unknowns: Vec<_> = unknowns.collect();
-        let given = ProgramValues {
-            inputs: inputs.iter().map(|&q| [q, 0.0, 0.0]).collect(),
-            params: mechanism.params.iter().map(Param::default_value).collect(),
-            loads: vec![0.0; mechanism.dynamics.loads.len()],
-            drives: vec![0.0; mechanism.inputs.len()],
-            unit: None,
-        };
+        let (given, unknowns) = (at_defaults(mechanism, inputs), unknown_words(mechanism));
         let numbers = placed(&placing(mechanism), &given, &unknowns, conditions);
         Some(Self { mechanism, inputs, numbers })
     }

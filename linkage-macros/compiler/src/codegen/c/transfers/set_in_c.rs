@@ -109,10 +109,7 @@ impl SetInC<'_> {
         let mut of_order = |order: Order| {
             let mut rows = Vec::new();
             for output in &self.mechanism.outputs {
-                let layout = Quantity::of(&output.kind).layout(order);
-                let has_direction = layout.parts.len() > layout.rows.len();
-                for row in 0..layout.rows.len() {
-                    let is_angle = has_direction && row == 0;
+                for is_angle in Quantity::of(&output.kind).layout(order).are_angles() {
                     rows.push(match is_angle {
                         true => RowInC::Angle([next(), next()]),
                         false => RowInC::Number(next()),
