@@ -13,10 +13,13 @@ use super::numbers::Random;
 /// Poses of each machine that are drawn.
 const DRAWN: usize = 4;
 
-/// The program of this tree.
+/// The program of this tree: the one that is named, or one that is built.
 fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(|| {
+        if let Some(built) = env::var_os("LINKAGE_PROGRAM") {
+            return built.into();
+        }
         let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("it has a parent");
         let mut cargo = Command::new(env!("CARGO"));
         let cargo = cargo.args(["build", "--quiet", "-p", "linkage-command", "--bin", "linkage"]);
