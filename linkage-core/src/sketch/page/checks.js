@@ -45,9 +45,10 @@ class FirstError {
     return this.isFast && isInRange ? sqrt(square) : hypot(x, y);
   }
 
-  /// Keeps the first refusal.
+  /// Keeps the first refusal, which the slow path decides.
   refuse(kind, group, more) {
     this.error ??= { kind, group, ...more };
+    this.leave();
   }
 
   isCertain(value, spread) {
@@ -147,8 +148,11 @@ class FirstError {
     if (!kind) return found;
     if (kind === "Interval") this.refuse("Invalid", unknown, { name: isOrdered ? ENDS : "width of between" });
     else if (kind === "NoSolution") this.refuse(kind, unknown, { by, unit, other });
-    else if (kind === "NotFinite") this.otherwise ??= { kind, group: unknown };
-    else this.refuse(kind, unknown);
+    else if (kind !== "NotFinite") this.refuse(kind, unknown);
+    else {
+      this.otherwise ??= { kind, group: unknown };
+      this.leave();
+    }
     return [at ?? 0, 0];
   }
 
@@ -200,7 +204,7 @@ const solved = (given, formulas, nameOf) => {
   };
   let checks = begun(), numbers = formulas(checks);
   const { hasLeft, hasFastValues, roots } = checks;
-  if (hasLeft && hasFastValues) {
+  if (hasFastValues && (hasLeft || !numbers.every(isFinite))) {
     checks = begun({ isFast: false, roots });
     numbers = formulas(checks);
   }

@@ -144,7 +144,7 @@ fn cuts_have_the_signs_of_the_drawing_everywhere() {
         OffsetBlock by OFFSET_BLOCK in [[0.4, 1.4]];
         OffsetRam by OFFSET_RAM in [[1.6, 2.4]];
         Stephenson by STEPHENSON in [[0.3, 1.3]];
-        TurnedBack by TURNED_BACK in [[-2.6, -2.12]];
+        TurnedBack by TURNED_BACK in [[-4.0, 4.0]];
         TwoInputs by TWO_INPUTS in [[0.7, 1.4], [0.7, 1.3]];
         TwoLengths by TWO_LENGTHS in [[-4.0, 4.0]];
         Whitworth by WHITWORTH in [[1.0, 2.2]];
