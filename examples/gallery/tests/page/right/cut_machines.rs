@@ -203,3 +203,27 @@ mechanism! {
         drive lever.angle = theta;
     }
 }
+
+mechanism! {
+    /// A four-bar of a crank and a dyad.
+    pub struct Bar {
+        input theta: angle;
+        param a = 80mm;
+        ground A(0, 0), D(665.7mm, 0);
+        crank AB(A) -> B { length: a, angle: theta }
+        rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: right }
+    }
+}
+
+mechanism! {
+    /// A crank of a parameter's length, which changes no other one.
+    pub struct LongerCrank {
+        input theta: angle;
+        param crank = 80mm;
+        ground A(0, 0), D(665.7mm, 0);
+        pin B(80mm, 0), C(600mm, 360mm), blade(570mm, 90mm);
+        link AB(A, B) { length: crank }
+        link BC(B, C, blade), DC(D, C);
+        drive AB.angle = theta;
+    }
+}

@@ -1,6 +1,7 @@
 //! Machines that were wrong, refused, or of which nobody was told enough, by their right numbers: in both widths, in printed C to
 //! the bit, and on pages.
 
+mod bar_rows;
 mod cut_machines;
 mod cut_rows;
 mod in_c;
@@ -129,6 +130,14 @@ fn names_and_places_given_twice_are_right_everywhere() {
         ByPoint by BY_POINT in [[-0.2, 0.1], [0.0, 0.3]];
         Triad by TRIAD in [[-1.0, 1.0]];
         Named by NAMED in [[0.4, 0.6]];
+    }
+}
+
+#[test]
+fn lengths_that_are_declared_are_right_everywhere() {
+    table! { cut_machines, bar_rows:
+        Bar by BAR in [[-4.0, 4.0]];
+        LongerCrank by LONGER_CRANK in [[-4.0, 4.0]];
     }
 }
 
