@@ -78,6 +78,6 @@ fn what_is_to_be_written_into_a_manifest_is_understood() {
         succeeds(&mut cargo).unwrap_or_else(|error| panic!("{}\n{block}\n{error}", page.display()));
         seen += 1;
     }
-    assert!(seen >= 2, "README and the page on control code have one each");
+    assert!(seen > 0, "the page about controllers has one");
     let _ = fs::remove_dir_all(folder);
 }
