@@ -73,6 +73,17 @@ fn a_group_behind_a_rocker_has_change_points() {
     }
 }
 
+/// On a crank of the ground the crank's range tells it, and nothing else does.
+#[test]
+fn a_change_point_on_a_crank_is_noted_once() {
+    let (notes, _) = told(
+        "input theta: angle; ground A(0, 0), D(2m, 0);
+         crank AB(A) -> B { length: 1m, angle: theta }
+         rrr BC(B), DC(D) -> C { lengths: (2m, 1m), mode: left }",
+    );
+    assert_eq!(notes.len(), 1, "{notes:?}");
+}
+
 /// Lengths that miss the limit by a nanometre have none, and a rocker that does not come there has none.
 #[test]
 fn what_misses_its_limit_or_is_not_reached_is_not_noted() {

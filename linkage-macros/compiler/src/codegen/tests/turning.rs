@@ -164,6 +164,19 @@ fn a_kite_is_no_parallelogram_but_has_its_change_points() {
     agrees_with_the_solver(&source);
 }
 
+/// One pair of sides of the same length makes no parallelogram, although the bars reach their limit.
+#[test]
+fn one_pair_of_equal_sides_is_no_parallelogram() {
+    // |0.5 m - 1 m| = |1.5 m - 1 m|, and |2 m - 1 m| = |2 m - 3 m|.
+    for (d, lengths) in [("(0.5m, 0)", "(1.5m, 1m)"), ("(2m, 0)", "(2m, 3m)")] {
+        let source = two_bars(d, lengths);
+        let said = said(&source);
+        assert!(said.contains("At `theta` = 0° both assembly modes are one"), "{said}");
+        assert!(!said.contains("parallel"), "{said}");
+        agrees_with_the_solver(&source);
+    }
+}
+
 /// Where a motion under forces may be integrated over a change point, the docs say what to do.
 #[test]
 fn a_change_point_of_a_motion_under_forces_is_pointed_to_the_tracker() {
