@@ -58,8 +58,6 @@ pub use crate::{
     Mechanism, Point, Real, Record, Scalar, Sense, Shaking, Side, Slide, SlidingAcceleration,
     SlidingDirection, SlidingVelocity, SolveError,
 };
-#[cfg(feature = "sketch")]
-pub use core::iter::IntoIterator;
 #[cfg(feature = "ad")]
 pub use nalgebra::SMatrix;
 #[cfg(feature = "ad")]

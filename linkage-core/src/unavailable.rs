@@ -15,6 +15,19 @@ pub trait Inputs<R>: Into<R> {}
 #[diagnostic::do_not_recommend]
 impl<A: Into<R>, R> Inputs<R> for A {}
 
+/// The argument of a film: a list of inputs `I`, a pose each.
+#[cfg(feature = "sketch")]
+#[diagnostic::on_unimplemented(
+    message = "a film is given a list of inputs, and `{Self}` is none",
+    label = "write a list, as in `(0..60).map(|k| f64::from(k) * 0.1)`",
+    note = "the list has the inputs of every picture; `write_svg` of the film is given a path"
+)]
+pub trait ListOfInputs<I>: IntoIterator<Item: Into<I>> {}
+
+#[cfg(feature = "sketch")]
+#[diagnostic::do_not_recommend]
+impl<A: IntoIterator<Item: Into<I>>, I> ListOfInputs<I> for A {}
+
 /// Implemented for each type by the type itself alone.
 #[diagnostic::on_unimplemented(
     message = "`new` makes a solver in `f64`; write `default` for one in `{T}`",

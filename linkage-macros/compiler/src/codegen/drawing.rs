@@ -84,8 +84,8 @@ fn followed(cx: &Context<'_>) -> TokenStream {
 
 fn methods(cx: &Context<'_>) -> TokenStream {
     let path = |name| cx.paths.item(name);
-    let [into, into_iterator, sketch, film, result, error] =
-        ["Into", "IntoIterator", "Sketch", "Film", "Result", "SolveError"].map(path);
+    let [into, inputs_of, sketch, film, result, error] =
+        ["Into", "ListOfInputs", "Sketch", "Film", "Result", "SolveError"].map(path);
     let [q, inputs] = ["q_", "path_"].map(generated);
     let input = cx.input(&cx.names.scalar);
     quote! {
@@ -100,7 +100,7 @@ fn methods(cx: &Context<'_>) -> TokenStream {
         /// The mechanism as it moves through the inputs, one pose each, to be drawn. Poses out of
         /// reach are gaps of the film.
         #[must_use]
-        pub fn film(&self, #inputs: impl #into_iterator<Item = impl #into<#input>>) -> #film {
+        pub fn film(&self, #inputs: impl #inputs_of<#input>) -> #film {
             #film::of(*self, #inputs)
         }
     }

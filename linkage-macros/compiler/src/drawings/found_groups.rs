@@ -1,5 +1,7 @@
 //! The groups that are found in a drawing: a part of the struct's documentation, and of no picture or page.
 
+use super::{machine, textbook};
+use crate::oracle::mechanism;
 use crate::pipeline::{Options, compile};
 
 const DRAWN: &str = "/// A crank and a rocker.
@@ -20,4 +22,25 @@ fn a_picture_has_the_words_of_the_author_alone() {
     assert!(code.contains("docs : \"A crank and a rocker.\""), "the plan has the author's words");
     let unsaid = expanded(&DRAWN.replace("/// A crank and a rocker.", ""));
     assert!(unsaid.contains("docs : \"\""), "nobody has said anything");
+}
+
+/// Constants beside parameters have the units of their places.
+#[test]
+fn constants_in_products_keep_their_units() {
+    let machine = mechanism(
+        "pub struct M { input t: angle; param h = 30mm; ground A(0, 0), D(300mm, 0);
+         pin B(0, 80mm), C(280mm, 150mm);
+         link AB(A, B); link BC(B, C) { length: 228mm + hypot(h, 20mm) * (50mm / h) };
+         link DC(D, C) { length: hypot(h, 133mm) + 0.5 * h };
+         drive AB.angle = t * (h / 30mm) + 0.1; }",
+    );
+    let docs = machine::documentation(&machine);
+    for printed in [
+        "angle: t * (h / 30mm) + 0.1",
+        "228mm + (hypot(h, 20mm) * (50mm / h))",
+        "hypot(h, 133mm) + (0.5 * h)",
+    ] {
+        assert!(docs.contains(printed), "{printed} in {docs}");
+    }
+    textbook::the_documentation_compiles_as_it_stands(&machine);
 }

@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 
 use syn::{Attribute, parse_quote};
 
-use crate::codegen::docs::numbers_as_declared::{Declared, DeclaredUnit, constant};
+use crate::codegen::docs::numbers_as_declared::{Declared, constant};
+use crate::codegen::docs::powers_of_lengths::DeclaredUnit;
 use crate::model::as_drawn::{SearchFollowed, Stretch};
 use crate::model::mechanism::{
     AngleSum, Assembly, Carrier, Drive, Group, GuideDirection, Joint, LinkId, Mechanism, Mode,

@@ -7,6 +7,7 @@ pub(super) mod force_docs;
 pub(crate) mod found_groups;
 mod groups_in_words;
 mod numbers_as_declared;
+mod powers_of_lengths;
 mod ranges_in_words;
 mod searches_in_words;
 mod stub_docs;

@@ -4,19 +4,11 @@ use std::collections::BTreeSet;
 
 use proc_macro2::Ident;
 
+use super::powers_of_lengths::{DeclaredUnit, power, unit_of_arguments, units_of_factors};
 use crate::exact::Exact;
 use crate::model::mechanism::{
     Axis, GuideId, InputId, LinkId, Mechanism, Operator, ParamId, PointId, Scalar,
 };
-
-/// The unit in which a number is written.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum DeclaredUnit {
-    Length,
-    Angle,
-    /// Metres or radians, or no unit at all.
-    Bare,
-}
 
 /// A constant, without error where its text is not too long.
 pub(super) fn constant(value: &Exact, unit: DeclaredUnit) -> String {
@@ -92,14 +84,14 @@ impl Declared<'_> {
             Scalar::Offset(point, guide) => {
                 format!("offset({}, {})", self.point(*point), self.guide(*guide))
             }
-            Scalar::AboveZero(number) => self.number(&number.value, DeclaredUnit::Bare),
+            Scalar::AboveZero(number) => self.number(&number.value, unit),
             Scalar::Negate(inner) => format!("-{}", self.operand(inner, unit)),
             Scalar::Chain(first, rest) => self.chain(first, rest, unit),
             Scalar::Call(function, arguments) => {
-                let arguments: Vec<_> = arguments
-                    .iter()
-                    .map(|argument| self.number(argument, DeclaredUnit::Bare))
-                    .collect();
+                let measures = function.measures();
+                let unit = unit_of_arguments(self.mechanism, measures, arguments, unit);
+                let arguments: Vec<_> =
+                    arguments.iter().map(|argument| self.number(argument, unit)).collect();
                 format!("{}({})", function.name(), arguments.join(", "))
             }
             // Nothing that moves the machine reads them.
@@ -113,11 +105,18 @@ impl Declared<'_> {
 
     /// Operations, each on what the one before has made.
     fn chain(&mut self, first: &Scalar, rest: &[(Operator, Scalar)], unit: DeclaredUnit) -> String {
-        let is_sum = rest.iter().all(|(sign, _)| matches!(sign, Operator::Add | Operator::Sub));
-        let unit = if is_sum { unit } else { DeclaredUnit::Bare };
-        let mut text = self.operand(first, unit);
+        let is_product = |sign| matches!(sign, Operator::Mul | Operator::Div);
+        let units = if rest.iter().all(|(sign, _)| is_product(*sign)) {
+            units_of_factors(self.mechanism, first, rest, unit)
+        } else if rest.iter().any(|(sign, _)| is_product(*sign)) {
+            vec![DeclaredUnit::Bare; rest.len() + 1]
+        } else {
+            let known = [first].into_iter().chain(rest.iter().map(|(_, operand)| operand));
+            let is_length = known.into_iter().find_map(|one| power(self.mechanism, one)) == Some(1);
+            vec![if is_length { DeclaredUnit::Length } else { unit }; rest.len() + 1]
+        };
+        let mut text = self.operand(first, units[0]);
         for (index, (operator, operand)) in rest.iter().enumerate() {
-            let is_product = |sign| matches!(sign, Operator::Mul | Operator::Div);
             if is_product(*operator) && rest[..index].iter().any(|(sign, _)| !is_product(*sign)) {
                 text = format!("({text})");
             }
@@ -127,7 +126,7 @@ impl Declared<'_> {
                 Operator::Mul => '*',
                 Operator::Div => '/',
             };
-            text += &format!(" {sign} {}", self.operand(operand, unit));
+            text += &format!(" {sign} {}", self.operand(operand, units[index + 1]));
         }
         text
     }
