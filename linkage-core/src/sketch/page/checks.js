@@ -45,10 +45,9 @@ class FirstError {
     return this.isFast && isInRange ? sqrt(square) : hypot(x, y);
   }
 
-  /// Keeps the first refusal, which the slow path decides.
+  /// Keeps the first refusal.
   refuse(kind, group, more) {
     this.error ??= { kind, group, ...more };
-    this.leave();
   }
 
   isCertain(value, spread) {
@@ -148,11 +147,8 @@ class FirstError {
     if (!kind) return found;
     if (kind === "Interval") this.refuse("Invalid", unknown, { name: isOrdered ? ENDS : "width of between" });
     else if (kind === "NoSolution") this.refuse(kind, unknown, { by, unit, other });
-    else if (kind !== "NotFinite") this.refuse(kind, unknown);
-    else {
-      this.otherwise ??= { kind, group: unknown };
-      this.leave();
-    }
+    else if (kind === "NotFinite") this.otherwise ??= { kind, group: unknown };
+    else this.refuse(kind, unknown);
     return [at ?? 0, 0];
   }
 
@@ -203,8 +199,9 @@ const solved = (given, formulas, nameOf) => {
     return checks;
   };
   let checks = begun(), numbers = formulas(checks);
-  const { hasLeft, hasFastValues, roots } = checks;
-  if (hasFastValues && (hasLeft || !numbers.every(isFinite))) {
+  const { hasLeft, hasFastValues, roots, reason } = checks;
+  // The slow path decides every refusal.
+  if (hasFastValues && (hasLeft || reason || !numbers.every(isFinite))) {
     checks = begun({ isFast: false, roots });
     numbers = formulas(checks);
   }
