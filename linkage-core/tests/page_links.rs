@@ -1,7 +1,7 @@
 //! The pages of the manual are read in two places: as `docs/*.md` where the repository is shown,
-//! and as modules in the documentation. `docs/README.md`, their index, is the documentation of `reference` itself. A link there is a name, `[text][name]`, which the page
-//! defines at its end as a file, and `reference.rs` in front of the page as an item or a figure: the
-//! first definition counts.
+//! and as modules in the documentation. `docs/README.md`, their index, is the documentation of
+//! `reference` itself. A link there is a name, `[text][name]`, which the page defines at its end as a
+//! file, and `reference.rs` in front of the page as an item or a figure: the first definition counts.
 
 use std::collections::BTreeMap;
 use std::fs;
