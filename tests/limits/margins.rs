@@ -1,6 +1,8 @@
 //! Margins and transmission angles: signed metres with slope one at every limit, there also where
 //! the pose is not, smooth, with rates, and free for those who do not ask.
 
+use core::f64::consts::{FRAC_PI_2, PI};
+
 use linkage_core::{Real, SolveError};
 use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::margins::*;
@@ -60,39 +62,56 @@ fn block_and_bar<T: Real>() {
     let centric = MarginCentricRpr::<T>::default();
     let margin = centric.margins(list([0.2 + 0.3, 0.1 - 0.4])).unwrap();
     assert!((margin.bar_margin.value() - 0.5).abs() <= 2.0 * T::EPSILON);
-    assert_eq!(margin.bar_transmission.value(), 1.0);
+    assert_eq!(margin.bar_transmission.value(), T::num(FRAC_PI_2).value());
 }
 
-/// The sine of the angle between the bars, between bar and guide, between bar and line to B; zero
-/// out of reach. Some ten roundings near one.
+/// The angle between the bars at their pin, between bar and guide's normal, between the bar's normal and the line to B,
+/// between two guides; 0 or π out of reach. It is compared with the arc cosine of two directions, whose rounding a sine
+/// divides.
 fn transmission<T: Real>() {
-    let rounding = 5.0 * T::EPSILON;
+    let close = |found: T, cosine: f64| {
+        let cosine = cosine.clamp(-1.0, 1.0);
+        let (found, sine) = (found.value(), (1.0 - cosine * cosine).sqrt());
+        let allowed = 8.0 * T::EPSILON / sine.max(1e-3) + 4.0 * T::EPSILON;
+        assert!((found - cosine.acos()).abs() <= allowed, "{found} {}", cosine.acos());
+        found
+    };
+    let dot = |x: T, y: T, u: T, v: T| x.value() * u.value() + y.value() * v.value();
     let group = MarginRrr::<T>::default();
-    for d in [1.25, 2.0, 3.0, 4.0, 4.75] {
+    let mut last = 0.0;
+    for d in [1.0 + 1e-4, 1.25, 2.0, 3.0, 4.0, 4.75, 5.0 - 1e-4] {
         let p = group.position(list([0.5, -0.25, 0.5 + d, -0.25])).unwrap();
         let (a, b) = (p.BC, p.DC);
-        let sine = T::det(a.cos, b.sin, a.sin, b.cos).value().abs();
-        // An error of the cosine costs the sine cot μ of it.
-        let allowed = rounding / sine.max(0.1);
-        assert!((p.DC_transmission.value() - sine).abs() <= allowed, "{d}: {p:?}");
+        // It grows from the folded bars to the stretched ones.
+        let angle = close(p.DC_transmission, dot(a.cos, a.sin, b.cos, b.sin));
+        assert!(angle > last, "{d}");
+        last = angle;
     }
-    for d in [0.5, 5.5] {
+    assert!(last > 3.1);
+    for (d, at) in [(0.5, 0.0), (5.5, PI)] {
         let beyond = group.margins(list([0.0, 0.0, d, 0.0])).unwrap();
-        assert!(beyond.DC_margin.value() < -0.4 && beyond.DC_transmission.value() == 0.0);
+        assert!(beyond.DC_margin.value() < -0.4);
+        assert_eq!(beyond.DC_transmission.value(), T::num(at).value());
         let pose = group.position(list([0.0, 0.0, d, 0.0]));
         assert!(matches!(pose, Err(SolveError::OutOfReach { group: "BC, DC", .. })));
     }
-    let p = MarginRrp::<T>::default().position(list([0.75, 0.5, 0.4])).unwrap();
-    let across = T::det(p.BC.cos, p.block.cos, -p.BC.sin, p.block.sin).value().abs();
-    assert!((p.block_transmission.value() - across).abs() <= rounding, "{p:?}");
-    let p = MarginRpr::<T>::default().position(list([1.0, 0.5, 0.25, 0.5])).unwrap();
-    assert!((p.bar_transmission.value() - p.bar.cos.value().abs()).abs() <= rounding, "{p:?}");
+    // B below the guide, and above it: the bar leans to either side of the normal.
+    for (y, is_blunt) in [(-0.5, false), (1.5, true)] {
+        let p = MarginRrp::<T>::default().position(list([0.75, y, 0.4])).unwrap();
+        let angle = close(p.block_transmission, dot(p.BC.cos, p.BC.sin, -p.block.sin, p.block.cos));
+        assert_eq!(angle > FRAC_PI_2, is_blunt);
+    }
+    for (e, is_blunt) in [(0.7, false), (-0.7, true)] {
+        let group = MarginRpr { e: T::num(e) };
+        let p = group.position(list([1.25, 0.5, 0.25, 0.5])).unwrap();
+        let angle = close(p.bar_transmission, -p.bar.sin.value());
+        assert_eq!(angle > FRAC_PI_2, is_blunt);
+    }
     let p = TransmissionPrp::<T>::default().position(list([0.3, 2.4])).unwrap();
-    assert!((p.q_transmission.value() - (2.1_f64).sin()).abs() <= rounding, "{p:?}");
+    close(p.q_transmission, (2.1_f64).cos());
     for slot in [-0.5_f64, 1.75] {
         let p = TransmissionRpp::<T>::default().position(number(slot)).unwrap();
-        let sine = number::<T>(slot).value().sin().abs();
-        assert!((p.yoke_transmission.value() - sine).abs() <= rounding, "{p:?}");
+        close(p.yoke_transmission, number::<T>(slot).value().cos());
     }
 }
 

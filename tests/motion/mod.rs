@@ -9,6 +9,7 @@ mod parallelograms;
 mod placement;
 mod planted;
 mod published_tables;
+mod ratios;
 mod readings;
 mod scale;
 mod tabulated;

@@ -238,7 +238,7 @@ struct Kind {
     facts: &'static [Fact],
 }
 
-const KINDS: [Kind; 8] = [
+const KINDS: [Kind; 9] = [
     // Also the texts of an effort, an output or a member of the same name.
     Kind {
         name: "statements",
@@ -248,6 +248,15 @@ const KINDS: [Kind; 8] = [
             fact(22, &[Name("Spring"), Name("SpringStatement"), Text("spring")]),
             fact(11, &[Name("Friction"), Name("FrictionStatement"), Text("friction")]),
             fact(6, &[Name("Gravity"), Name("GravityStatement"), Text("gravity")]),
+        ],
+    },
+    Kind {
+        name: "outputs",
+        aim: 9,
+        facts: &[
+            fact(9, &[Name("Pole"), Text("pole")]),
+            fact(9, &[Name("Ratio")]),
+            fact(9, &[Name("Transmission")]),
         ],
     },
     Kind {

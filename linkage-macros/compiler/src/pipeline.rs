@@ -231,12 +231,19 @@ pub(crate) fn resolved(
     // No barrier in front: the tree marks what could not be read, and the model says nothing of what may only be
     // missing because of that. Afterwards every name is a typed id and every dimension is checked.
     let mut mechanism = model::resolve(declaration, diagnostics)?;
-    // The one rule that asks for equations; nothing that follows can fail.
-    if equations::load_does_work(&mechanism, passes::RULES) {
+    // The two rules that ask for equations; nothing that follows can fail.
+    let never_turns = equations::pole_of_what_never_turns(&mechanism, passes::RULES);
+    let does_work = equations::load_does_work(&mechanism, passes::RULES);
+    if does_work && never_turns.is_none() {
         change_points::found(&mut mechanism, diagnostics);
         return Ok(mechanism);
     }
-    model::load_does_no_work(declaration, &mechanism, diagnostics);
+    if let Some(links) = never_turns {
+        model::link_never_turns(&mechanism, links, diagnostics);
+    }
+    if !does_work {
+        model::load_does_no_work(declaration, &mechanism, diagnostics);
+    }
     Err(Stub(Box::new(mechanism)))
 }
 

@@ -20,6 +20,7 @@ pub mod placement;
 pub mod published;
 pub mod pulled;
 pub mod ranges;
+pub mod ratios;
 pub mod resolvers;
 pub mod right_or_refused;
 pub mod rubbing_pulled;

@@ -43,6 +43,7 @@ impl<'s> Kinematics<'s> {
             }
             Scalar::Offset(point, guide) => self.offset(*point, *guide),
             Scalar::Twist(spring) => springs::twist(self, *spring),
+            Scalar::Rate(turn) if self.is_by_input => self.derivative(turn),
             // A force's value has no use for its own rates.
             Scalar::Rate(turn) => Jet::constant(self.at_rate_scale(self.rate(turn))),
             Scalar::Effort(effort, part) => Jet::constant(efforts(*effort, *part)),

@@ -113,6 +113,10 @@ pub(super) struct Kinematics<'s> {
     pub(super) bars: HashMap<LinkId, (Vector<'s>, Jet<'s>, PointId)>,
     /// Number of steps taken.
     pub(super) taken: usize,
+    /// The state in which rates are derivatives by the only input, as soon as a number asks for it.
+    pub(super) by_input: OnceCell<Box<Self>>,
+    /// True for that state.
+    pub(super) is_by_input: bool,
 }
 
 impl<'s> Kinematics<'s> {
@@ -141,6 +145,8 @@ impl<'s> Kinematics<'s> {
             measures: HashMap::new(),
             levers: HashMap::new(),
             bars: HashMap::new(),
+            by_input: OnceCell::new(),
+            is_by_input: false,
         }
     }
 

@@ -21,6 +21,7 @@
 //! another, results whose terms cancel. They fix a direction better than a unit vector of the
 //! width can hold, so a large factor there stands before a small error.
 
+mod by_input;
 mod clearance;
 mod crank_pin;
 mod dead_points;
@@ -43,8 +44,11 @@ mod symbol;
 #[cfg(test)]
 pub(crate) mod tests;
 mod unknown;
+mod vector;
 
 use std::cell::OnceCell;
+
+use proc_macro2::Ident;
 
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{InputMotion, Kinematics};
@@ -57,7 +61,7 @@ use crate::interface::records::is_margin;
 use crate::ir::construct::Rule;
 use crate::ir::graph::Id;
 use crate::ir::program::{Clearance, Closure, EntryOutputs, Program};
-use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind};
+use crate::model::mechanism::{DeclaredOutput, LinkId, Mechanism, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
@@ -236,6 +240,7 @@ fn components_of(kinematics: &Kinematics<'_>, output: &DeclaredOutput, order: Or
             let centre = forces::centre_of_mass(kinematics)[order as usize];
             vec![centre.x.id, centre.y.id]
         }
+        OutputKind::Pole(links) => pole(kinematics, links).map(|along| of_jet(along, order)).into(),
         _ => vec![of_jet(value(kinematics, output), order)],
     }
 }
@@ -257,6 +262,33 @@ fn of_jet(jet: Jet<'_>, order: Order) -> Id {
     }
 }
 
+/// The coordinates of a pole.
+fn pole<'s>(kinematics: &Kinematics<'s>, links: &[(LinkId, Ident)]) -> [Jet<'s>; 2] {
+    let mechanism = kinematics.mechanism;
+    let ids: Vec<_> = links.iter().map(|&(link, _)| link).collect();
+    kinematics.pole(&ids, mechanism.title_of_pole(links))
+}
+
+/// The links of the first pole that exists in no pose, because they never turn against each other.
+pub(crate) fn pole_of_what_never_turns<'m>(
+    mechanism: &'m Mechanism,
+    rules: &[Rule],
+) -> Option<&'m [(LinkId, Ident)]> {
+    let mut poles = mechanism.poles().peekable();
+    poles.peek()?;
+    let builder = GraphBuilder::new(rules);
+    let kinematics = Kinematics::of(&builder, mechanism, InputMotion::free(mechanism, &builder));
+    let turning = |&(link, _): &(LinkId, Ident)| kinematics.link(link).frame.direction.omega;
+    let never_turns = |links: &&[(LinkId, Ident)]| {
+        let relative = match links.get(1) {
+            Some(other) => turning(&links[0]) - turning(other),
+            None => turning(&links[0]),
+        };
+        relative.is_zero()
+    };
+    poles.find(never_turns)
+}
+
 /// A named angle as a direction.
 fn turn<'s>(kinematics: &Kinematics<'s>, output: &DeclaredOutput) -> Direction<'s> {
     let OutputKind::Angle(turn) = &output.kind else { unreachable!("only named angles come here") };
@@ -268,6 +300,7 @@ fn value<'s>(kinematics: &Kinematics<'s>, output: &DeclaredOutput) -> Jet<'s> {
     let measures = |group| kinematics.measures_of(group).expect("the step saw that it is wanted");
     match &output.kind {
         OutputKind::Value { value, .. } => kinematics.jet(value),
+        OutputKind::Ratio { value, .. } => kinematics.steady(value),
         OutputKind::Margin(group) => {
             measures(*group).margin.expect("the model checked that the group has a reach")
         }

@@ -12,17 +12,23 @@ pub(super) struct LimitMeasures<'s> {
     /// Signed distance from the limit in metres; `None` for groups that have no reach to run
     /// out of.
     pub margin: Option<Jet<'s>>,
-    /// Sine of the transmission angle, not negative.
+    /// Transmission angle, from 0 to π.
     pub transmission: Jet<'s>,
 }
 
 impl<'s> LimitMeasures<'s> {
-    /// Measures of two slides: the absolute sine of the angle between their directions. Its rates are those
-    /// of the cross product, times the sign of the cross product.
-    pub(super) fn of_directions(a: Direction<'s>, b: Direction<'s>, sine: Sym<'s>) -> Self {
+    /// Measures of two slides: the angle between their directions, from its sine and cosine. Its rates are those
+    /// of the angle from one to the other, times the sign of that.
+    pub(super) fn of_directions(
+        a: Direction<'s>,
+        b: Direction<'s>,
+        (sine, cosine): (Sym<'s>, Sym<'s>),
+    ) -> Self {
         let ([ax, ay], [bx, by]) = (a.jets(), b.jets());
         let cross = Jet { value: sine, ..ax * by - ay * bx };
-        Self { margin: None, transmission: cross.hypot(Jet::zero(sine.builder())) }
+        let dot = Jet { value: cosine, ..ax * bx + ay * by };
+        let size = cross.hypot(Jet::zero(sine.builder()));
+        Self { margin: None, transmission: size.atan2(dot) }
     }
 }
 

@@ -42,8 +42,11 @@ fn of_field(
         Subject::Output(index, order) => {
             let kind = &mechanism.outputs[index].kind;
             let whole = match kind {
-                OutputKind::Value { dimension, .. } => *dimension,
+                OutputKind::Value { dimension, .. } | OutputKind::Ratio { dimension, .. } => {
+                    *dimension
+                }
                 OutputKind::Margin(_) => Dimension::LENGTH,
+                OutputKind::Transmission(_) => Dimension::ANGLE,
                 _ => Dimension::NUMBER,
             };
             let parts = Quantity::of(kind).layout(order).parts;

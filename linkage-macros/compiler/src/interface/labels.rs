@@ -26,7 +26,7 @@ pub(crate) fn rows(mechanism: &Mechanism, output: &DeclaredOutput) -> Vec<String
             });
             vec![part.unwrap_or(field)]
         }
-        OutputKind::Angle(_) | OutputKind::Value { .. } => vec![field],
+        OutputKind::Angle(_) | OutputKind::Value { .. } | OutputKind::Ratio { .. } => vec![field],
         kind => Quantity::of(kind).rows().iter().map(|row| format!("{field}.{row}")).collect(),
     }
 }

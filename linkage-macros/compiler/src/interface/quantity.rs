@@ -28,7 +28,7 @@ pub(crate) enum Quantity {
     SlidingDirection,
     /// The slide alone.
     Slide,
-    /// A number: a named expression, a margin, the sine of a transmission angle.
+    /// A number: a named expression, a ratio of rates, a margin, a transmission angle.
     Value,
     /// A force in ground axes.
     Force,
@@ -85,15 +85,16 @@ impl Quantity {
     /// The quantity of an output.
     pub(crate) fn of(kind: &OutputKind) -> Self {
         match kind {
-            OutputKind::Point(_) | OutputKind::CentreOfMass => Self::Point,
+            OutputKind::Point(_) | OutputKind::CentreOfMass | OutputKind::Pole(_) => Self::Point,
             OutputKind::Link { direction: true, slide: true, .. } => Self::SlidingDirection,
             OutputKind::Link { direction: true, slide: false, .. } | OutputKind::Angle(_) => {
                 Self::Direction
             }
             OutputKind::Link { direction: false, .. } => Self::Slide,
-            OutputKind::Value { .. } | OutputKind::Margin(_) | OutputKind::Transmission(_) => {
-                Self::Value
-            }
+            OutputKind::Value { .. }
+            | OutputKind::Ratio { .. }
+            | OutputKind::Margin(_)
+            | OutputKind::Transmission(_) => Self::Value,
         }
     }
 

@@ -12,7 +12,7 @@ use crate::model::mechanism::Scalar;
 use crate::model::names::Kind;
 use crate::model::reads::{Allowed, Reads};
 use crate::model::resolved_expr::{
-    DISTANCE, OFFSET, RATE, Resolve, ResolvedExpr, bare_name, counted,
+    DISTANCE, OFFSET, POLE, RATE, Resolve, ResolvedExpr, bare_name, counted,
 };
 use crate::model::scope::Scope;
 use crate::model::{exponents, fits, readings};
@@ -102,13 +102,13 @@ fn member_as_a_function(scope: &mut Scope<'_>, name: &Ident, arguments: &[tree::
 fn function_exists(scope: &mut Scope<'_>, name: &Ident) {
     let text = name.to_string();
     let mut message = format!("no function named `{text}`");
-    let known = Function::names().chain([DISTANCE, OFFSET, RATE]);
+    let known = Function::names().chain([DISTANCE, OFFSET, RATE, POLE]);
     if let Some(near) = nearest(&text, known) {
         message += &format!("; a function with a similar name exists: `{near}`");
     }
     let names: Vec<_> = Function::names().chain([DISTANCE, OFFSET]).collect();
     let reason = format!(
-        "the functions are `{}`, and `{RATE}` in forces, torques and outputs",
+        "the functions are `{}`, and `{RATE}` in forces, torques and outputs, `{POLE}` in outputs",
         names.join(" ")
     );
     scope.diagnostics.error_because(name.span(), message, reason);

@@ -12,6 +12,7 @@ use crate::model::effort_dimensions::of_effort;
 use crate::model::ids::FormulaId;
 use crate::model::mechanism::{Carrier, Dimension, LinkId, Mechanism, Scalar};
 use crate::model::names::{Kind, listed};
+use crate::model::ratios::depends_on_rates;
 use crate::model::reads::Reads;
 use crate::model::resolved_expr::ResolvedExpr;
 use crate::model::scope::Scope;
@@ -31,8 +32,10 @@ pub(super) fn give_formula(
     if dynamics.is_empty() && !named_efforts::a_force_may_be_unread(scope) {
         let message =
             format!("nothing has mass and nothing acts, so there are no forces beside `{name}`");
-        let reason = "an output of rates and loads stands in the result of `forces`; of rates \
-                      alone, `velocity` gives those of every output";
+        let reason = depends_on_rates(&scope.mechanism, value, &quantity).unwrap_or(
+            "an output of rates and loads stands in the result of `forces`; of rates alone, `velocity` gives those \
+             of every output",
+        );
         return scope.diagnostics.error_because(name.span(), message, reason);
     }
     let is_known = scope.mechanism.outputs.iter().any(|output| output.field == *name)

@@ -10,10 +10,10 @@ use crate::model::dimension::Measure;
 use crate::model::mechanism::{Dimension, LinkId, Operator, ParamKind, Scalar};
 use crate::model::names::{Entity, Kind, NUMBERS};
 use crate::model::reads::Allowed;
-use crate::model::resolved_expr::{ANGLE_REASON, DISTANCE, OFFSET, RATE, ResolvedExpr};
+use crate::model::resolved_expr::{ANGLE_REASON, DISTANCE, OFFSET, POLE, RATE, ResolvedExpr};
 use crate::model::scope::Scope;
 use crate::model::{
-    calls, effort_formulas, laws, literals, loads_in_forces, rates, readings, uses,
+    calls, effort_formulas, laws, literals, loads_in_forces, poles, rates, readings, uses,
 };
 
 /// Resolves an expression of a dimension, and reports every mistake in it.
@@ -58,6 +58,10 @@ pub(super) fn expression(
                 () if function == OFFSET => readings::offset_from_guide(scope, function, arguments),
                 () if function == RATE => {
                     rates::rate(scope, function, arguments, allowed, expression)
+                }
+                () if function == POLE => {
+                    poles::pole_is_a_point(scope, function, arguments);
+                    None
                 }
                 () => calls::call(scope, function, arguments, allowed, expression),
             }?;

@@ -278,11 +278,18 @@ pub(crate) enum OutputKind {
         value: Scalar,
         dimension: Dimension,
     },
+    /// A named number that reads rates and depends on none of them: that of the only input is left out.
+    Ratio {
+        value: Scalar,
+        dimension: Dimension,
+    },
+    /// The instant centre of a link against the ground, or of two, as they are written. None in a stub.
+    Pole(Vec<(LinkId, Ident)>),
     /// A named angle that contains link angles: given by its direction.
     Angle(AngleSum),
     /// Signed distance of the group from its limit.
     Margin(GroupId),
-    /// Sine of the group's transmission angle.
+    /// Transmission angle of the group, from 0 to π.
     Transmission(GroupId),
     /// The centre of all masses.
     CentreOfMass,

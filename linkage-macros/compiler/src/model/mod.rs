@@ -11,8 +11,8 @@
 //! | `dimension`, `units`, `expr`, `ids`, `mechanism`, `acting`, `effort` | the mechanism, as later phases read it |
 //! | `names`, `facts`, `scope` | all that is declared so far |
 //! | `uses`, `declared`, `kinds`, `meant` | names where they are used, links and points where they are made |
-//! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `loads_in_forces`, `readings`, `expressions`, `numbers` | expressions |
-//! | `effort_dimensions`, `driven_through`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given` | efforts, and what is asked for |
+//! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `ratios`, `loads_in_forces`, `readings`, `expressions`, `numbers` | expressions |
+//! | `effort_dimensions`, `driven_through`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given`, `poles` | efforts, and what is asked for |
 //! | `fields`, `modes`, `same_expression`, `opposite_sides`, `jointed`, `assembly`, `coincidence` | what the groups share |
 //! | `statements` | a file a statement |
 //! | `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
@@ -74,7 +74,9 @@ mod on_drawn_links;
 mod opposite_sides;
 mod order;
 mod parts_of_groups;
+mod poles;
 mod rates;
+mod ratios;
 mod readings;
 mod reads;
 mod references;
@@ -116,6 +118,7 @@ use crate::syntax::tree::Declaration;
 pub(crate) use drawn::value_at_defaults;
 pub use driven::PlanarQuantity;
 pub(crate) use driven::{DrivenBySet, DrivenQuantity, driven_quantities, drivings};
+pub(crate) use poles::link_never_turns;
 pub(crate) use statements::drive_by::load_does_no_work;
 
 /// The stub of a declaration in which something was reported.

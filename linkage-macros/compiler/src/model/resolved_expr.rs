@@ -36,6 +36,9 @@ pub(in crate::model) const OFFSET: &str = "offset";
 /// The function that forces alone may depend on.
 pub(in crate::model) const RATE: &str = "rate";
 
+/// The function of one link or two, whose value is a point.
+pub(in crate::model) const POLE: &str = "pole";
+
 /// "3 are", "1 is"
 pub(in crate::model) fn counted(count: usize) -> String {
     match count {

@@ -1,14 +1,24 @@
 //! Titles of groups, springs, forces and inputs in errors.
 
+use proc_macro2::Ident;
+use syn::ext::IdentExt;
+
 use crate::function::Function;
 
 use super::acting::{Contact, Ends, Force, Spring};
-use super::mechanism::{Carrier, Mechanism, PointId, Unknown};
+use super::mechanism::{Carrier, LinkId, Mechanism, OutputKind, PointId, Unknown};
+
+/// `BC`, or `BC against DE`.
+fn pole_title(links: &[(LinkId, Ident)]) -> String {
+    let names: Vec<_> = links.iter().map(|(_, name)| name.unraw().to_string()).collect();
+    names.join(" against ")
+}
 
 impl Mechanism {
-    /// Titles for errors, in this order: groups, springs, stops, forces, inputs, functions, the load that drives. A spring, a stop or a
+    /// Titles for errors, in this order: groups, springs, stops, forces, inputs, functions, the load that drives, poles. A spring, a stop or a
     /// force between two points has no direction where they meet; an input may move no mass; a function may
-    /// need a number above zero; a load may do no work on the input that it drives.
+    /// need a number above zero; a load may do no work on the input that it drives; a link may
+    /// not turn, and has no pole.
     pub(crate) fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
         let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));
@@ -26,7 +36,29 @@ impl Mechanism {
         let driving = self.dynamics.driven().map(|(input, load)| {
             format!("drive {} by {}", self.inputs[input.index()].name, load.name)
         });
-        groups.chain(acting).chain(inputs).chain(functions).chain(driving).collect()
+        groups
+            .chain(acting)
+            .chain(inputs)
+            .chain(functions)
+            .chain(driving)
+            .chain(self.poles().map(pole_title))
+            .collect()
+    }
+
+    /// The links of each pole among the outputs.
+    pub(crate) fn poles(&self) -> impl Iterator<Item = &[(LinkId, Ident)]> {
+        self.outputs.iter().filter_map(|output| match &output.kind {
+            OutputKind::Pole(links) => Some(&links[..]),
+            _ => None,
+        })
+    }
+
+    /// The number of a pole's title among [`Self::titles`].
+    pub(crate) fn title_of_pole(&self, links: &[(LinkId, Ident)]) -> u32 {
+        let is_it =
+            |other: &[(LinkId, Ident)]| other.iter().map(|it| it.0).eq(links.iter().map(|it| it.0));
+        let place = self.poles().position(is_it).expect("it is an output");
+        self.title_of_pull() + u32::from(self.dynamics.driven().is_some()) + place as u32
     }
 
     /// The number of a function's title among [`Self::titles`].

@@ -25,7 +25,7 @@ use crate::interface::units_in_words::{per_time, unit};
 use crate::interface::{EntryId, Interface, labels};
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::{
-    DeclaredOutput, Input, Mechanism, OutputKind, Param, ParamKind, Sign,
+    DeclaredOutput, Dimension, Input, Mechanism, OutputKind, Param, ParamKind, Sign,
 };
 use crate::syntax::anatomy::{ModeRow, Modes};
 
@@ -222,17 +222,23 @@ pub(super) fn describe(mechanism: &Mechanism, output: &DeclaredOutput, order: Or
             let made_by = mechanism.statement(mechanism.links[link.index()].made_by);
             format!("Link `{name}` ({made_by}): {words}")
         }
-        OutputKind::Value { dimension, .. } => {
+        OutputKind::Value { dimension, .. } | OutputKind::Ratio { dimension, .. } => {
             format!("`{name}`{words} in {}", unit(*dimension, order))
         }
         OutputKind::Angle(_) => format!("Angle `{name}`: {words}"),
         OutputKind::CentreOfMass => format!("Centre of all masses: {words}"),
+        OutputKind::Pole(links) => {
+            let names: Vec<_> = links.iter().map(|(_, link)| format!("`{}`", text(link))).collect();
+            format!("Pole `{name}` of {}, the instant centre: {words}", names.join(" against "))
+        }
         OutputKind::Margin(id) => {
             let group = mechanism.statement(*id);
             format!("Distance of {group} from its limit{words} in m{}", per_time(order))
         }
         OutputKind::Transmission(id) => {
-            format!("Sine of the transmission angle of {}{words}", mechanism.statement(*id))
+            let (group, unit) = (mechanism.statement(*id), unit(Dimension::ANGLE, order));
+            let range = if order == Order::Position { ", from 0 to π" } else { "" };
+            format!("Transmission angle of {group}{words} in {unit}{range}")
         }
     }
 }

@@ -156,8 +156,11 @@ fn output(output: &DeclaredOutput) -> String {
         _ => "value",
     };
     let unit = match &output.kind {
-        OutputKind::Value { dimension, .. } => unit(*dimension, Order::Position),
+        OutputKind::Value { dimension, .. } | OutputKind::Ratio { dimension, .. } => {
+            unit(*dimension, Order::Position)
+        }
         OutputKind::Margin(_) => "m".to_string(),
+        OutputKind::Transmission(_) => "rad".to_string(),
         _ => "1".to_string(),
     };
     // An output that is asked for as `DC.margin` is a field `DC_margin`.

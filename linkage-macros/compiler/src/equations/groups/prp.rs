@@ -189,8 +189,8 @@ fn exact_coordinates<'s>(pin: PointMotion<'s>, blocks: &[Block<'s>; 2]) -> Vecto
     offset
 }
 
-/// The sine of the angle between the guides, not negative.
+/// The angle between the directions of both guides.
 fn measures<'s>(guides: [Frame<'s>; 2]) -> LimitMeasures<'s> {
     let [a, b] = guides.map(|guide| guide.direction);
-    LimitMeasures::of_directions(a, b, a.sin_cos_to(b).0)
+    LimitMeasures::of_directions(a, b, a.sin_cos_to(b))
 }

@@ -207,7 +207,8 @@ impl<'s> JacobianFactors<'s> for RppLevers<'s> {
     }
 }
 
-/// The sine of the angle between rail and slot, not negative.
+/// The angle between the directions of rail and slot.
 fn measures<'s>(rail: Frame<'s>, slot: Slot<'s>) -> LimitMeasures<'s> {
-    LimitMeasures::of_directions(rail.direction, slot.direction, slot.relative.u.y)
+    let Vector { x: cosine, y: sine } = slot.relative.u;
+    LimitMeasures::of_directions(rail.direction, slot.direction, (sine, cosine))
 }

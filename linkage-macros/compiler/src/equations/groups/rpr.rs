@@ -73,6 +73,7 @@ use crate::equations::reactions::{
     Acting, GuideReaction, Inner, JacobianFactors, Loads, Reaction, Reactions,
 };
 use crate::equations::symbol::{Sym, Vector};
+use crate::exact::Exact;
 use crate::ir::graph::Check;
 use crate::model::mechanism::{Carrier, Group, Numerics};
 
@@ -271,18 +272,18 @@ fn stays_beyond<'s>([b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> bool {
     least.is_some_and(|(distance, offset)| distance >= 2.0 * offset.abs())
 }
 
-/// Signed distance from the limit in metres, (b² − e²)/(|b| + |e|) = |b| − |e|, and the sine of
-/// the transmission angle between bar and line to the block, √(b² − e²)/|b|.
+/// Signed distance from the limit in metres, (b² − e²)/(|b| + |e|) = |b| − |e|, and the transmission angle between the
+/// bar's normal and the line from D to B, of sine √(b² − e²)/|b| and cosine e/|b|.
 fn measures<'s>(numerics: Numerics, [b, d]: [PointMotion<'s>; 2], e: Jet<'s>) -> LimitMeasures<'s> {
     let [x, y] = d.jets_to(b);
     let reach = x.hypot(y);
     if e.is_zero() {
-        let one = Jet::constant(e.value.builder().integer(1));
-        return LimitMeasures { margin: Some(reach), transmission: one };
+        let right = Jet::constant(e.value.builder().constant(Exact::pi()).half());
+        return LimitMeasures { margin: Some(reach), transmission: right };
     }
     let left = left_of_offset(numerics, [b, d], e);
     let zero = Jet::zero(e.value.builder());
-    let transmission = root_in_reach(left) / reach;
+    let transmission = root_in_reach(left).atan2(e);
     LimitMeasures { margin: Some(left / (reach + e.hypot(zero))), transmission }
 }
 

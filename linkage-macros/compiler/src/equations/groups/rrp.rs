@@ -232,16 +232,17 @@ fn carried<'s>(l: Sym<'s>, offset: Sym<'s>, y: Sym<'s>) -> Sym<'s> {
     l.difference(t) * l.difference(-t)
 }
 
-/// Signed distance from the limit in metres, X²/(2 l), and the sine of the transmission angle
-/// between bar and guide's normal, |X|/l.
+/// Signed distance from the limit in metres, X²/(2 l), and the transmission angle between the bar from B to C and
+/// the guide's normal, of sine |X|/l and cosine t/l.
 fn measures<'s>(
     b: PointMotion<'s>,
     guide: Frame<'s>,
     l: Jet<'s>,
     offset: Jet<'s>,
 ) -> LimitMeasures<'s> {
-    let square = legs(b, guide, l, offset);
-    LimitMeasures { margin: Some(square / l.twice()), transmission: root_in_reach(square) / l }
+    let (square, t) = (legs(b, guide, l, offset), across(b, guide, offset));
+    let transmission = root_in_reach(square).atan2(t);
+    LimitMeasures { margin: Some(square / l.twice()), transmission }
 }
 
 /// X².

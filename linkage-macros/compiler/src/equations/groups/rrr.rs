@@ -220,6 +220,8 @@ struct HalfSine<'s> {
     scale: Jet<'s>,
     /// S
     square: Jet<'s>,
+    /// cos μ
+    cosine: Jet<'s>,
 }
 
 fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSine<'s> {
@@ -231,7 +233,8 @@ fn half_sine<'s>(joints: [PointMotion<'s>; 2], [l2, l3]: [Jet<'s>; 2]) -> HalfSi
     // The difference of lengths, not 1 − i/4l₂l₃: that would be the rounding of 1/4l₂l₃ where a fused
     // operation takes it, and no zero at a toggle that the data hit.
     let far = product - near;
-    HalfSine { scale, square: (near * scale) * (far * scale) }
+    let [near, far] = [near * scale, far * scale];
+    HalfSine { scale, square: near * far, cosine: far - near }
 }
 
 /// Half of the rate and of the acceleration of d².
@@ -246,12 +249,16 @@ fn half_rates<'s>(joints: [PointMotion<'s>; 2]) -> [Sym<'s>; 2] {
 }
 
 /// Signed distance from the limit in metres, 2 l₂ l₃ S/d with slope one against d at both toggles,
-/// and sine of the transmission angle, 2 √S.
+/// and transmission angle μ between the bars at their pin, from sin μ = 2 √S and cos μ.
 fn measures<'s>(joints: [PointMotion<'s>; 2], lengths: [Jet<'s>; 2]) -> LimitMeasures<'s> {
-    let (square, d) = (half_sine(joints, lengths).square, joints[0].to(joints[1]));
+    let (HalfSine { square, cosine, .. }, d) =
+        (half_sine(joints, lengths), joints[0].to(joints[1]));
     let over_distance = Jet::inverse_distance(d.x.hypot(d.y), half_rates(joints));
     let margin = square * ((lengths[0] * lengths[1]).twice() * over_distance);
-    LimitMeasures { margin: Some(margin), transmission: root_in_reach(square).twice() }
+    LimitMeasures {
+        margin: Some(margin),
+        transmission: root_in_reach(square).twice().atan2(cosine),
+    }
 }
 
 /// S. Where one bar is long or the joints are far away, so is the rounding of i against l₂ l₃.

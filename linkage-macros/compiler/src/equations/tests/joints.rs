@@ -1,5 +1,7 @@
 //! Positions against the conditions that the joints of each group state.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::ir::interpret::{Number, ProgramValues};
 use crate::oracle::{Digits, defaults, mechanism, values};
 use crate::{equations, passes};
@@ -187,8 +189,8 @@ fn margins_and_transmission_are_what_the_joints_say() {
     let d = (1.0 - v[0]).hypot(0.25 - v[1]);
     let (outer, inner) = (1.25 * 1.25 - d * d, d * d - 0.0625);
     near(v[4], outer * inner / (8.0 * 0.375 * d));
-    let cross = (v[2] - v[0]) * (v[3] - 0.25) - (v[3] - v[1]) * (v[2] - 1.0);
-    near(v[5], cross.abs() / 0.375);
+    let dot = (v[2] - v[0]) * (v[2] - 1.0) + (v[3] - v[1]) * (v[3] - 0.25);
+    near(v[5], (dot / 0.375).acos());
 
     let v = output(
         "guide g through (0.25, 0.5) along 30deg;
@@ -198,26 +200,27 @@ fn margins_and_transmission_are_what_the_joints_say() {
     let u = (30f64.to_radians().cos(), 30f64.to_radians().sin());
     let t = 0.125 - (u.0 * (v[1] - 0.5) - u.1 * (v[0] - 0.25));
     near(v[4], (1.25 - t) * (1.25 + t) / 2.5);
-    near(v[5], ((v[2] - v[0]) * u.0 + (v[3] - v[1]) * u.1).abs() / 1.25);
+    near(v[5], (((v[3] - v[1]) * u.0 - (v[2] - v[0]) * u.1) / 1.25).acos());
 
     let v = output(
         "rpr block(B), bar(D) { offset: -0.25 } output B, block.slide, bar.margin, bar.transmission;",
     );
     let d = (1.0 - v[0]).hypot(0.25 - v[1]);
     near(v[3], d - 0.25);
-    near(v[4], v[2].abs() / d);
+    near(v[4], (-0.25 / d).acos());
+    assert!(v[4] > FRAC_PI_2);
 
     let v = output("rpr block(B), bar(D) { mode: behind } output B, bar.margin, bar.transmission;");
     near(v[2], (1.0 - v[0]).hypot(0.25 - v[1]));
-    near(v[3], 1.0);
+    near(v[3], FRAC_PI_2);
 
     let v = output(
         "guide g through (0.25, 0.5) along 30deg; guide h on AB through B along 90deg;
          prp a(g), b(h) -> C {} rpp c(B), y(h) { slot: -60deg } output AB, a.transmission, y.transmission;",
     );
     let across = (-v[1], v[0]);
-    near(v[2], (u.0 * across.1 - u.1 * across.0).abs());
-    near(v[3], 60f64.to_radians().sin());
+    near(v[2], (u.0 * across.0 + u.1 * across.1).acos());
+    near(v[3], 60f64.to_radians());
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //! against differences of the position in a hundred digits, and positions against the joints'
 //! own conditions.
 
+mod by_input;
 mod clearances;
 pub(crate) mod declarations;
 mod driven_load;

@@ -1,6 +1,6 @@
 //! Velocity and acceleration against differences of the position along q(t).
 
-use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS};
+use crate::equations::tests::declarations::{UNKNOWNS, VARIANTS, Variant};
 use crate::equations::tests::parallelograms::PARALLELOGRAMS;
 use crate::interface::quantity::{Order, Quantity};
 use crate::ir::interpret::{Number, ProgramValues};
@@ -44,44 +44,48 @@ fn velocities_and_accelerations_are_derivatives_in_other_variants() {
 /// In every second variant from the first on.
 fn are_derivatives_of_the_position(first: usize) {
     for variant in VARIANTS.iter().chain(UNKNOWNS).chain(PARALLELOGRAMS).skip(first).step_by(2) {
-        let mechanism = mechanism(variant.source);
-        let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
-        let given = |t: &Digits| ProgramValues {
-            inputs: variant
-                .inputs
-                .iter()
-                .map(|q| {
-                    let [value, rate, accel] = q.map(Digits::float);
-                    let half = accel.mul(t).mul(&Digits::float(0.5));
-                    let moved = value.add(&rate.add(&half).mul(t));
-                    [moved, rate.add(&accel.mul(t)), accel]
-                })
-                .collect(),
-            params: defaults(&mechanism),
-            loads: Vec::new(),
-            drives: Vec::new(),
-            unit: None,
-        };
-        let now = given(&Digits::float(0.0));
-        let position = values(&program, "position", &now);
-        let (first, second) = derivatives(|t| values(&program, "position", &given(t)));
-        let velocity = rates_of(&mechanism, &position, &first);
-        let acceleration = rates_of(&mechanism, &position, &second);
-        let expected = [&position[..], &velocity, &acceleration].concat();
-        let motion = values(&program, "motion", &now);
-        assert_eq!(motion.len(), expected.len(), "{}", variant.name);
-        for (index, (formula, truth)) in motion.iter().zip(&expected).enumerate() {
-            // The differences are good to h⁶ times a sixth derivative: 2⁻²⁴⁰ times at most some
-            // 1e12 for these mechanisms, with room 1e-50.
-            let apart = formula.apart(truth);
-            assert!(
-                apart < 1e-50,
-                "{}: component {index} of its motion is {} and should be {}",
-                variant.name,
-                formula.to_f64(),
-                truth.to_f64()
-            );
-        }
+        motion_is_derived_from_the_position(variant);
+    }
+}
+
+pub(super) fn motion_is_derived_from_the_position(variant: &Variant) {
+    let mechanism = mechanism(variant.source);
+    let program = passes::optimise(&equations::derive(&mechanism, passes::RULES));
+    let given = |t: &Digits| ProgramValues {
+        inputs: variant
+            .inputs
+            .iter()
+            .map(|q| {
+                let [value, rate, accel] = q.map(Digits::float);
+                let half = accel.mul(t).mul(&Digits::float(0.5));
+                let moved = value.add(&rate.add(&half).mul(t));
+                [moved, rate.add(&accel.mul(t)), accel]
+            })
+            .collect(),
+        params: defaults(&mechanism),
+        loads: Vec::new(),
+        drives: Vec::new(),
+        unit: None,
+    };
+    let now = given(&Digits::float(0.0));
+    let position = values(&program, "position", &now);
+    let (first, second) = derivatives(|t| values(&program, "position", &given(t)));
+    let velocity = rates_of(&mechanism, &position, &first);
+    let acceleration = rates_of(&mechanism, &position, &second);
+    let expected = [&position[..], &velocity, &acceleration].concat();
+    let motion = values(&program, "motion", &now);
+    assert_eq!(motion.len(), expected.len(), "{}", variant.name);
+    for (index, (formula, truth)) in motion.iter().zip(&expected).enumerate() {
+        // The differences are good to h⁶ times a sixth derivative: 2⁻²⁴⁰ times at most some
+        // 1e12 for these mechanisms, with room 1e-50.
+        let apart = formula.apart(truth);
+        assert!(
+            apart < 1e-50,
+            "{}: component {index} of its motion is {} and should be {}",
+            variant.name,
+            formula.to_f64(),
+            truth.to_f64()
+        );
     }
 }
 

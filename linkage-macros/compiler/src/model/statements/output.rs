@@ -15,11 +15,15 @@ use crate::syntax::tree::{
 use crate::model::link_efforts::MEMBERS;
 use crate::model::mechanism::{LinkId, OutputKind};
 use crate::model::names::{Entity, Kind};
+use crate::model::poles::{is_pole, pole_output};
+use crate::model::ratios::is_of_the_pose;
 use crate::model::reads::Allowed;
 use crate::model::resolved_expr::{ResolvedExpr, bare_name};
 use crate::model::scope::Scope;
 use crate::model::statements::{Rules, drive_by};
-use crate::model::{dynamics_outputs, effort_formulas, expressions, given, laws, readings, uses};
+use crate::model::{
+    dynamics_outputs, effort_formulas, expressions, fits, given, laws, readings, uses,
+};
 
 impl Rules for OutputStatement {
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
@@ -76,6 +80,11 @@ fn every_moving_thing_is_given(scope: &mut Scope<'_>) {
 pub(in crate::model) fn output(scope: &mut Scope<'_>, docs: &[Attribute], item: &OutputItem) {
     match (&item.name, &item.value.kind) {
         (Some(name), _) if item.renamed_at.is_some() => name_stands_in_front(scope, name, item),
+        (Some(name), _) if is_pole(&item.value) => {
+            if output_name_is_new(scope, name).is_some() {
+                pole_output(scope, docs, name, &item.value);
+            }
+        }
         (Some(name), _) => named_output(scope, docs, name, &item.value),
         (None, ExprKind::Name(name)) => whole_output(scope, docs, name),
         (None, ExprKind::Member(owner, member)) => {
@@ -101,6 +110,24 @@ fn named_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident, value: 
     let is_new = output_name_is_new(scope, name);
     let quantity = expressions::expression(scope, value, Allowed::IN_OUTPUTS);
     let (Some(quantity), Some(())) = (quantity, is_new) else { return };
+    give_number(scope, (name, docs), value, quantity);
+}
+
+/// A number among the forces where it is one of them, or of the pose.
+fn give_number(
+    scope: &mut Scope<'_>,
+    (name, docs): (&Ident, &[Attribute]),
+    value: &Expr,
+    quantity: ResolvedExpr,
+) {
+    if is_of_the_pose(&scope.mechanism, &quantity) {
+        if fits::no_link_angle(scope, value, &quantity).is_some() {
+            let dimension = quantity.measure.dimension();
+            let kind = OutputKind::Ratio { value: quantity.rest, dimension };
+            given::give(scope, name.span(), name.clone(), docs, kind);
+        }
+        return;
+    }
     match quantity.reads.is_of_forces() {
         true => effort_formulas::give_formula(scope, (name, docs), value, quantity),
         false => give_quantity(scope, name, docs, quantity),
@@ -185,12 +212,9 @@ fn let_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident, entity: E
     if let Entity::Let(id) = entity {
         quantity.rest = scope.mechanism.lets[id.index()].rest.clone();
     }
-    if !quantity.reads.is_of_forces() {
-        return give_quantity(scope, name, docs, quantity);
-    }
     let kind = ExprKind::Name(name.clone());
     let value = Expr { kind, span: name.span().into() };
-    effort_formulas::give_formula(scope, (name, docs), &value, quantity);
+    give_number(scope, (name, docs), &value, quantity);
 }
 
 /// Reports a name that is given from outside or stands in the ground: it is no result.

@@ -9,7 +9,9 @@ use crate::model::acting::{Effort, Formula};
 use crate::model::ids::FormulaId;
 use crate::model::mechanism::{AngleSum, DeclaredOutput, OutputKind, Scalar};
 use crate::model::names::Kind;
+use crate::model::poles::is_pole;
 use crate::model::rates::is_rate;
+use crate::model::ratios::is_a_quotient_of_rates;
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
 use crate::model::stub::{self, NUMBER, number};
@@ -24,7 +26,16 @@ pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, it
     if has_field(scope, name) || is_formula(scope, name) {
         return;
     }
-    if reads_forces(scope, &item.value) {
+    if is_pole(&item.value) {
+        let kind = OutputKind::Pole(Vec::new());
+        scope.mechanism.outputs.push(DeclaredOutput {
+            field: name.clone(),
+            docs: Vec::new(),
+            kind,
+        });
+        return;
+    }
+    if reads_forces(scope, &item.value) && !is_a_quotient_of_rates(&item.value) {
         let effort = Effort::Formula(FormulaId(scope.mechanism.dynamics.formulas.len() as u32));
         let formula = Formula { value: Scalar::zero(), dimension: NUMBER, reads: Vec::new() };
         scope.mechanism.dynamics.formulas.push(formula);

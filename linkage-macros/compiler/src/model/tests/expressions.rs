@@ -161,7 +161,7 @@ fn a_function_is_known_and_has_its_arguments() {
             "crank EF(D) -> F { length: 1m, angle: sine(t) }",
             "sine: no function named `sine`; a function with a similar name exists: `sin` / the \
              functions are `sqrt hypot sin cos tan asin acos atan atan2 abs sign min max exp ln \
-             tanh pow distance offset`, and `rate` in forces, torques and outputs",
+             tanh pow distance offset`, and `rate` in forces, torques and outputs, `pole` in outputs",
         ),
         (
             CRANK,

@@ -20,6 +20,7 @@ mod numbers;
 mod outputs;
 mod places;
 mod quantities;
+mod ratios;
 mod resolved;
 mod rigid;
 mod slips;

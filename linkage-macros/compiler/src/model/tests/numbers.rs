@@ -43,7 +43,7 @@ fn a_distance_is_between_two_points() {
             "output d = distence(A, B);",
             "distence: no function named `distence`; a function with a similar name exists: \
              `distance` / the functions are `sqrt hypot sin cos tan asin acos atan atan2 abs sign \
-             min max exp ln tanh pow distance offset`, and `rate` in forces, torques and outputs",
+             min max exp ln tanh pow distance offset`, and `rate` in forces, torques and outputs, `pole` in outputs",
         ),
         (
             CRANK,

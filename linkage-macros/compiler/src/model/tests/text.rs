@@ -226,6 +226,13 @@ impl Names<'_> {
             OutputKind::Value { value, dimension } => {
                 format!("{} {}", dimension.words(), self.expr(value))
             }
+            OutputKind::Ratio { value, dimension } => {
+                format!("ratio {} {}", dimension.words(), self.expr(value))
+            }
+            OutputKind::Pole(links) => {
+                let links: Vec<_> = links.iter().map(|(link, _)| self.link(*link)).collect();
+                format!("pole of {}", links.join(" against "))
+            }
             OutputKind::Angle(turn) => format!("turn {}", self.turn(turn)),
             OutputKind::Margin(group) => format!("margin of {}", self.title(*group)),
             OutputKind::Transmission(group) => format!("transmission of {}", self.title(*group)),

@@ -62,10 +62,10 @@ impl Formulas for ParallelBars {
         }
     }
 
-    /// The sine of the angle between the bars, not negative. It has no limit.
+    /// The angle between the bars. It has no limit.
     fn measures<'s>(&self, known: &Kinematics<'s>, group: &'s Group) -> Option<LimitMeasures<'s>> {
         let [a, b] = [0, 1].map(|bar| known.link(group.links[bar]).frame.direction);
-        Some(LimitMeasures::of_directions(a, b, a.sin_cos_to(b).0))
+        Some(LimitMeasures::of_directions(a, b, a.sin_cos_to(b)))
     }
 }
 
