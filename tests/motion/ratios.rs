@@ -4,7 +4,7 @@ use linkage_core::{Point, Real, SolveError, unwanted};
 use linkage_tests::in_both_widths;
 use linkage_tests::mechanisms::ratios::*;
 use linkage_tests::widths::number;
-use num_dual::{Dual2_64, DualNum};
+use num_dual::Dual2_64;
 
 const ARMS: [f64; 5] = [2.9, 3.0, 3.1, 3.2, 3.3];
 
@@ -22,11 +22,10 @@ fn as_velocities_say<T: Real>() {
         assert!((p.leverage.value() / ratio - 1.0).abs() <= allowed, "{arm}: {ratio}");
         let [ix, iy] = [p.I.x.value() - p.seat.x.value(), p.I.y.value() - p.seat.y.value()];
         // The seat is on both links.
-        let (omega, [x, y]) =
-            (v.seatstay.omega.value(), [-3.0 * p.seat.x.value(), -3.0 * p.seat.y.value()]);
-        let far = 1.0 + ix.hypot(iy);
-        assert!((x - omega * ix).abs() <= allowed * far * 10.0, "{arm}");
-        assert!((y - omega * iy).abs() <= allowed * far * 10.0, "{arm}");
+        let omega = v.seatstay.omega.value();
+        let [x, y] = [3.0 * p.seat.y.value(), -3.0 * p.seat.x.value()];
+        let allowed = allowed * 10.0 * (1.0 + ix.hypot(iy));
+        assert!((x - omega * iy).abs() <= allowed && (y + omega * ix).abs() <= allowed, "{arm}");
     }
 }
 
@@ -90,12 +89,15 @@ fn sweeps_have_ratios() {
     }
 }
 
-/// What no rate changes is in the pose, beside masses as well; a rate is among the forces.
+/// A number that no rate changes is in the pose, beside masses as well; a rate is among the forces.
 #[test]
 fn a_ratio_is_no_force() {
     let (heavy, light) = (HeavyRear::new(), Rear::new());
     let arm = 3.1;
-    assert_eq!(heavy.position(arm).unwrap().leverage, light.position(arm).unwrap().leverage);
+    let [own, other] =
+        [heavy.position(arm).unwrap().leverage, light.position(arm).unwrap().leverage];
+    // Lengths that are constants are folded.
+    assert!((own / other - 1.0).abs() < 1e-14, "{own} {other}");
     let forces = heavy.forces(arm, 2.0, 0.0).unwrap();
     assert_eq!(forces.speed, heavy.velocity(arm, 2.0).unwrap().axle.y);
     assert_eq!(HeavyRear::FORCES, ["speed", "wheel"]);
@@ -125,7 +127,7 @@ fn what_does_not_turn_is_named<T: Real>() {
 #[test]
 fn behind_an_equation() {
     let axle = ByTravel::new();
-    for travel in [0.12, 0.15, 0.18] {
+    for travel in [0.25, 0.3, 0.37] {
         let p = axle.position(travel).unwrap();
         let h = 1e-5;
         let [before, after] = [-h, h].map(|by| axle.position(travel + by).unwrap().upright);

@@ -203,6 +203,12 @@ impl Function {
         self.row().is_smooth
     }
 
+    /// True for the functions whose value is as many times as large as all of their arguments are: an absolute value, and
+    /// the length of a vector.
+    pub(crate) const fn is_a_size(self) -> bool {
+        matches!(self, Self::Abs | Self::Hypot)
+    }
+
     /// The reason why constants may have no value.
     pub(crate) const fn domain(self) -> &'static str {
         self.row().domain

@@ -26,6 +26,7 @@ use crate::equations::jet::Jet;
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::{Check, Id, Node};
+use crate::ir::liveness::{Path, live, live_nodes};
 use crate::model::mechanism::{AngleSum, LinkId, Scalar};
 
 impl<'s> Kinematics<'s> {
@@ -111,7 +112,7 @@ impl<'s> Kinematics<'s> {
     fn slope(&self, of: Sym<'s>) -> Sym<'s> {
         let roots = self.unknowns.iter().map(|unknown| (unknown.value.id, unknown.rate));
         let mut known: HashMap<Id, Sym<'s>> = roots.collect();
-        for (id, node) in self.builder.nodes_beneath(of) {
+        for (id, node) in nodes_beneath(of) {
             if !known.contains_key(&id) {
                 let slope = slope_of(self.builder.known(id), node, &known);
                 known.insert(id, slope);
@@ -119,6 +120,13 @@ impl<'s> Kinematics<'s> {
         }
         known[&of.id]
     }
+}
+
+/// The nodes that a symbol is made of but for conditions, operands before users, itself the last.
+fn nodes_beneath(of: Sym<'_>) -> Vec<(Id, Node)> {
+    let graph = of.builder().graph.borrow();
+    let live = live(&graph, &[of.id], Path::Unchecked);
+    live_nodes(&graph, &live).collect()
 }
 
 /// The derivative of a node by the only input, those of its operands being known.

@@ -44,7 +44,6 @@ mod symbol;
 #[cfg(test)]
 pub(crate) mod tests;
 mod unknown;
-mod vector;
 
 use std::cell::OnceCell;
 

@@ -7,7 +7,6 @@
 use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-pub(crate) use crate::equations::vector::Vector;
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::construct::{Maker, Rule, remade};
@@ -17,7 +16,7 @@ use crate::ir::liveness::{Path, live, live_nodes};
 
 /// The graph that symbols are made in.
 pub(crate) struct GraphBuilder<'r> {
-    graph: RefCell<Graph>,
+    pub(super) graph: RefCell<Graph>,
     rules: &'r [Rule],
     /// True while conditions are ignored: a trial of an equation refuses nothing.
     are_guards_ignored: Cell<bool>,
@@ -28,6 +27,13 @@ pub(crate) struct GraphBuilder<'r> {
 pub(crate) struct Sym<'s> {
     builder: &'s GraphBuilder<'s>,
     pub(crate) id: Id,
+}
+
+/// A vector in the plane.
+#[derive(Clone, Copy)]
+pub(crate) struct Vector<'s> {
+    pub x: Sym<'s>,
+    pub y: Sym<'s>,
 }
 
 impl<'r> GraphBuilder<'r> {
@@ -84,13 +90,6 @@ impl<'s> GraphBuilder<'s> {
         let graph = self.graph.borrow();
         let live = live(&graph, sinks, Path::Slow);
         live_nodes(&graph, &live).any(|(_, node)| matches!(node, Node::Input { order: 0, .. }))
-    }
-
-    /// The nodes that a symbol is made of but for conditions, operands before users, itself the last.
-    pub(crate) fn nodes_beneath(&self, of: Sym<'_>) -> Vec<(Id, Node)> {
-        let graph = self.graph.borrow();
-        let live = live(&graph, &[of.id], Path::Unchecked);
-        live_nodes(&graph, &live).collect()
     }
 
     /// The symbol of a node that has been made.
@@ -338,5 +337,63 @@ impl Neg for Sym<'_> {
     type Output = Self;
     fn neg(self) -> Self {
         self.unary(Node::Neg)
+    }
+}
+
+impl<'s> Vector<'s> {
+    pub(crate) fn dot(self, other: Self) -> Sym<'s> {
+        self.x * other.x + self.y * other.y
+    }
+
+    /// a × b, positive where b is counter-clockwise of a.
+    pub(crate) fn cross(self, other: Self) -> Sym<'s> {
+        self.x * other.y - self.y * other.x
+    }
+
+    /// The normal 90° counter-clockwise of it, of the same length.
+    pub(crate) fn normal(self) -> Self {
+        Self { x: -self.y, y: self.x }
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self.x.is_zero() && self.y.is_zero()
+    }
+
+    /// This direction turned by another: the product of the two as complex numbers.
+    pub(crate) fn turned(self, by: Self) -> Self {
+        Self { x: self.x * by.x - self.y * by.y, y: self.x * by.y + self.y * by.x }
+    }
+
+    /// The mirror image about the x axis: a direction's inverse.
+    pub(crate) fn conjugate(self) -> Self {
+        Self { x: self.x, y: -self.y }
+    }
+}
+
+impl Add for Vector<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y }
+    }
+}
+
+impl Sub for Vector<'_> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y }
+    }
+}
+
+impl Neg for Vector<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { x: -self.x, y: -self.y }
+    }
+}
+
+impl<'s> Mul<Vector<'s>> for Sym<'s> {
+    type Output = Vector<'s>;
+    fn mul(self, vector: Vector<'s>) -> Vector<'s> {
+        Vector { x: self * vector.x, y: self * vector.y }
     }
 }

@@ -82,8 +82,7 @@ fn combined(a: Growth, operator: Operator, b: Growth) -> Option<Growth> {
 /// The growth of a function's value: what it does to a factor is known of absolute values and distances alone.
 fn of_call(function: Function, arguments: &[Growth]) -> Option<Growth> {
     let (first, last) = (arguments[0], arguments[arguments.len() - 1]);
-    let is_a_size = matches!(function, Function::Abs | Function::Hypot);
-    if is_a_size && first.power == last.power {
+    if function.is_a_size() && first.power == last.power {
         return Some(Growth { is_odd: false, ..first });
     }
     arguments.iter().all(|argument| *argument == NONE).then_some(NONE)

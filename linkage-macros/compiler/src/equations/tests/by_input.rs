@@ -201,8 +201,7 @@ fn ratios_and_poles_move_as_the_motion_says() {
     WORDS.iter().for_each(motion_is_derived_from_the_position);
 }
 
-/// What a pin of the ground holds has its pole there, also where it stands still; and what no input's rate is read for
-/// takes none.
+/// A link on a pin of the ground has its pole there, also where it stands still, at no cost.
 #[test]
 fn a_pole_on_a_pin_of_the_ground_is_that_pin() {
     let machine = Machine::of(

@@ -8,7 +8,7 @@ const TWO_INPUTS: &str = "input t: angle; input s: angle; ground A(0, 0); \
                           crank AB(A) -> B { length: 1m, angle: t } \
                           crank BC(B) -> C { length: 1m, angle: s }";
 
-/// What the output `r` of a crank is: a number of the pose, or one of the forces where a mass moves.
+/// True if the output `r` of a crank is a number of the pose; else it is one of the forces where a mass moves.
 #[track_caller]
 fn is_of_the_pose(value: &str) -> bool {
     let (mechanism, mistakes) =
