@@ -1,5 +1,6 @@
 //! Drivers and dyads among bodies that depend on each other.
 
+use super::assembly_list::{Assemblies, OtherAssembly};
 use super::fit::Following;
 use super::machine::{Driven, Held, Machine};
 
@@ -42,6 +43,48 @@ pub(crate) struct SearchedGroup {
     pub stretches: Vec<[f64; 2]>,
     /// The value over the first drive from which the ends are measured.
     pub following: Option<Following>,
+    /// All ways to assemble it where it is drawn; none where they are not listed.
+    pub assemblies: Option<Assemblies>,
+}
+
+impl Found {
+    /// The bodies that it places.
+    pub(crate) fn bodies(&self) -> Vec<usize> {
+        match self {
+            Self::Crank { body, .. } | Self::Slider { body, .. } => vec![*body],
+            Self::Dyad(dyad) => {
+                let legs = dyad.legs.iter().flat_map(|leg| leg.bodies.clone());
+                legs.chain(dyad.carried_bodies()).collect()
+            }
+            Self::Search(search) => search.bodies(),
+        }
+    }
+}
+
+impl SearchedGroup {
+    /// The nearest other assembly that a search in its interval may find where the group is drawn.
+    pub(super) fn other_in_its_interval(&self) -> Option<OtherAssembly> {
+        let Found::Crank { body, .. } = self.steps[0] else { return None };
+        let from = self.following.as_ref().map_or(0.0, |following| following.at(0.0));
+        let ends = self.between.map(|end| from + end);
+        let turned = self.assemblies.as_ref()?.other_between(ends)?;
+        Some(OtherAssembly { body, turned })
+    }
+
+    /// True if the unknown drives the same body in the same way and the same link is left out.
+    pub(super) fn is_the_way_of(&self, other: &Self) -> bool {
+        let driven = |search: &Self| match search.steps[0] {
+            Found::Crank { body, reference, pivot, .. } => Some((body, reference, pivot)),
+            Found::Slider { .. } | Found::Dyad(_) | Found::Search(_) => None,
+        };
+        self.left_out == other.left_out && driven(self) == driven(other)
+    }
+
+    /// All bodies of the group, the one that is left out behind the others.
+    pub(crate) fn bodies(&self) -> Vec<usize> {
+        let placed = self.steps.iter().flat_map(Found::bodies).chain([self.left_out]);
+        placed.chain(self.held.map(|(body, _)| body)).collect()
+    }
 }
 
 /// Two legs, each with a joint outside, and a joint between them.

@@ -6,13 +6,16 @@
 //! hold each other's constraints in a circle are one group. [`cutting`] makes drivers and dyads of
 //! them, [`carried`] dyads with links of given angle between their bars. A group of class III is solved by one unknown: [`options`] lists what can be left out and what
 //! be driven, [`trace`] follows the machine, [`following`] fits intervals to it, bent where [`near_dead`] finds dead points
-//! beside it, and [`choice`] chooses. [`pose`]
+//! beside it, and [`choice`] chooses. [`assemblies`] lists all ways to assemble such a group where it is
+//! drawn. [`pose`]
 //! computes poses, [`redrawn`] one with other lengths, and [`limits`] says how far each group is from its limit.
 //!
 //! Only numbers in `f64` and indices stand here: no names, no tokens, no exact constants and no
 //! messages. A result decides which groups there are and on which side they assemble, and no
 //! dimension of them.
 
+mod assemblies;
+pub(crate) mod assembly_list;
 mod carried;
 mod choice;
 pub(crate) mod count;
@@ -32,12 +35,13 @@ mod trace;
 #[cfg(test)]
 mod tests;
 
+use assembly_list::OtherAssembly;
 use choice::Unchosen;
-use cutting::Found;
+use cutting::{Found, SearchedGroup};
 use machine::Machine;
 
 /// The reasons why a machine cannot be divided into groups. Bodies and drives by their indices.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Trouble {
     /// The bodies have more constraints than freedoms, whatever the drawing is.
     TooMany {
@@ -57,8 +61,8 @@ pub(crate) enum Trouble {
     /// one of these ways, the first links of the dyad's legs.
     AtLimits { bodies: Vec<usize>, dyad: [usize; 2] },
     /// The bodies are one group, and every interval of an unknown that holds the drawing holds another
-    /// way to assemble it as well.
-    NotAlone { bodies: Vec<usize> },
+    /// way to assemble it as well: the nearest, where all ways are known.
+    NotAlone { bodies: Vec<usize>, other: Option<OtherAssembly> },
 }
 
 /// The groups of a machine in solving order, or all that keeps it from being cut.
@@ -77,9 +81,8 @@ pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
                 if options.is_empty() {
                     return Err(vec![Trouble::Undecided { bodies: group }]);
                 }
-                let search = choice::chosen(machine, &steps, options)
-                    .map_err(|cause| vec![not_chosen(cause, group.clone())])?;
-                steps.push(Found::Search(Box::new(search)));
+                let search = alone(machine, &steps, &group, options);
+                steps.push(Found::Search(Box::new(search.map_err(|trouble| vec![trouble])?)));
             }
         }
         known.add(machine, &group);
@@ -87,10 +90,44 @@ pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
     Ok(steps)
 }
 
-fn not_chosen(cause: Unchosen, bodies: Vec<usize>) -> Trouble {
+/// The way to solve a group whose interval holds no other assembly of the drawing's modes and trend where it is drawn.
+fn alone(
+    machine: &Machine,
+    before: &[Found],
+    group: &[usize],
+    mut options: Vec<SearchedGroup>,
+) -> Result<SearchedGroup, Trouble> {
+    let mut first_other = None;
+    loop {
+        let chosen = choice::chosen(machine, before, options.clone());
+        let mut search = chosen.map_err(|cause| match first_other {
+            Some(other) => Trouble::NotAlone { bodies: group.to_vec(), other: Some(other) },
+            None => not_chosen(cause, machine, group, &options),
+        })?;
+        search.assemblies = assemblies::assemblies(machine, &search);
+        let Some(other) = search.other_in_its_interval() else {
+            if search.assemblies.as_ref().is_some_and(|list| !list.is_proved()) {
+                search.assemblies = assemblies::by_another(machine, &options).or(search.assemblies);
+            }
+            return Ok(search);
+        };
+        first_other.get_or_insert(other);
+        options.retain(|option| !option.is_the_way_of(&search));
+    }
+}
+
+fn not_chosen(
+    cause: Unchosen,
+    machine: &Machine,
+    bodies: &[usize],
+    options: &[SearchedGroup],
+) -> Trouble {
+    let bodies = bodies.to_vec();
     match cause {
         Unchosen::DeadPoint => Trouble::AtDeadPoint { bodies },
         Unchosen::DyadsAtLimits(dyad) => Trouble::AtLimits { bodies, dyad },
-        Unchosen::NoInterval => Trouble::NotAlone { bodies },
+        Unchosen::NoInterval => {
+            Trouble::NotAlone { bodies, other: assemblies::nearest_other(machine, options) }
+        }
     }
 }

@@ -12,7 +12,17 @@ impl SearchedGroup {
         steps: Vec<Found>,
     ) -> Self {
         let (between, stretches) = ([0.0; 2], Vec::new());
-        Self { left_out, held, joints, steps, between, rises: true, stretches, following: None }
+        Self {
+            left_out,
+            held,
+            joints,
+            steps,
+            between,
+            rises: true,
+            stretches,
+            following: None,
+            assemblies: None,
+        }
     }
 }
 

@@ -44,3 +44,22 @@ fn constants_in_products_keep_their_units() {
     }
     textbook::the_documentation_compiles_as_it_stands(&machine);
 }
+
+/// A plate on three bars, the first of which a crank carries. By `tests/assemblies/by_homotopy.py` two of its six complex assemblies are real.
+const TRIAD: &str = "pub struct M { input t: angle; ground A(-1m, 0), D(4m, 0), G(2m, 5m);
+    pin B(-0.5m, 0.6m), P(0.8m, 1.2m), Q(3m, 0.6m), R(1.9m, 3.1m);
+    link AB(A, B), BP(B, P), plate(P, Q, R), DQ(D, Q), GR(G, R); drive AB.angle = t; }";
+
+/// The documentation and a note say how many ways there are to assemble a group of class III where it is drawn.
+#[test]
+fn the_assemblies_of_a_triad_are_counted() {
+    let docs = machine::documentation(&mechanism(TRIAD));
+    let told = "Where it is drawn its group has 2 assemblies, of at most 6: in the nearest other `phi` is ";
+    assert!(docs.contains(told), "{docs}");
+    let output = compile(TRIAD.parse().expect("these are tokens"), &Options::default());
+    let [note] = &output.notes[..] else { panic!("{:?}", output.notes) };
+    let told = "can be assembled in 2 ways where they are drawn, of at most 6";
+    assert!(note.message.contains(told), "{}", note.message);
+    println!("{} {:?}", note.message, note.note);
+    println!("{docs}");
+}

@@ -8,6 +8,8 @@ use std::f64::consts::{PI, TAU};
 
 use proc_macro2::Ident;
 
+use crate::chain::assembly_list::Assemblies;
+
 use super::expr::Scalar;
 use super::ids::{LinkId, PointId};
 
@@ -94,6 +96,8 @@ pub(crate) struct SearchFollowed {
     /// The name of what it is measured from, where that follows the drive.
     pub traced: Option<Ident>,
     pub stretches: Vec<Stretch>,
+    /// The ways to assemble its group in the drawing, where they are listed.
+    pub assemblies: Option<Assemblies>,
 }
 
 /// The ends to which a motion was followed, from the drawing.

@@ -5,13 +5,16 @@ mod traces;
 
 use std::time::Instant;
 
+use super::assembly_list::OtherAssembly;
 use super::choice::{Unchosen, chosen};
 use super::cutting::{self, Found, SearchedGroup};
 use super::limits::sine;
 use super::machine::{Driven, Driving, Machine, RigidBody, Slide};
 use super::plane::Complex;
+use super::pose::Posed;
 use super::redrawn::{Resized, redrawn};
-use super::{Trouble, cut, options};
+use super::trace::drawn;
+use super::{Trouble, assemblies, cut, not_chosen, options};
 
 fn body(pins: &[usize]) -> RigidBody {
     RigidBody { pins: pins.to_vec(), ..RigidBody::default() }
@@ -244,4 +247,52 @@ fn a_motion_that_ends_at_the_drawing_is_at_a_dead_point() {
         assert_eq!(told, [Trouble::AtDeadPoint { bodies: group.clone() }], "{x}");
     }
     assert!(cut(&beside_a_dead_point(1.03)).is_ok());
+}
+
+/// Where no interval holds the drawing alone, the nearest other assembly is named: by each bar that a way to solve the group may drive,
+/// and by the angle that Newton's method turns it to from there.
+#[test]
+fn the_nearest_other_assembly_is_named() {
+    let machine = beside_a_dead_point(1.1);
+    let (crank, all) = ways(&machine);
+    for search in &all {
+        let told = not_chosen(Unchosen::NoInterval, &machine, &[2, 3, 4, 5], &[search.clone()]);
+        let Trouble::NotAlone { bodies, other: Some(OtherAssembly { body, turned }) } = told else {
+            panic!("{told:?}")
+        };
+        assert_eq!((bodies, search.steps[0].bodies()), (vec![2, 3, 4, 5], vec![body]));
+        let (mut given, mut posed) = (drawn(&machine), Posed::new(&machine));
+        posed.run(&crank, &mut given, 0.0).expect("the crank is there");
+        let root = posed.clone().solve(search, &mut given, turned + 1e-3 * turned);
+        // Both are on the drawing's sides of all dyads, and Newton's method finds its roots to 1e-11.
+        assert!(root.is_some_and(|root| (root - turned).abs() < 1e-9), "{root:?} {turned}");
+        assert!(turned.abs() > 0.01 && turned.abs() < 0.1, "{turned}");
+    }
+}
+
+/// An interval of constant ends that holds two assemblies of the drawing's side and trend, 20° apart: between them the equation
+/// passes zero and comes back within half a degree, which no sample shows. Another way to solve the group is taken.
+#[test]
+fn an_interval_holds_the_drawing_alone() {
+    let mut machine = Machine { varies: true, ..triad() };
+    let places = [
+        [0.737_780_663_930_850_5, 0.170_071_866_134_389_52],
+        [0.119_206_819_408_382_18, 0.819_861_329_219_599_2],
+        [0.688_084_106_125_592_8, 0.330_099_388_149_196_7],
+        [0.407_168_439_558_523_8, 0.692_491_657_498_010_1],
+        [0.279_292_014_161_759_75, 0.009_594_026_732_458_127],
+        [0.729_179_458_018_282_3, 0.314_528_494_393_843_8],
+        [0.324_573_687_203_243, 0.984_015_273_431_246_8],
+    ];
+    machine.pins = places.map(|[x, y]| Complex::new(x, y)).into();
+    let (crank, all) = ways(&machine);
+    let mut before = chosen(&machine, &crank, all).expect("it moves");
+    before.assemblies = assemblies::assemblies(&machine, &before);
+    let other = before.other_in_its_interval().expect("there is one");
+    assert!((other.turned - 0.339_863_894_771).abs() < 1e-9, "{other:?}");
+    let steps = cut(&machine).expect("it moves");
+    let Found::Search(search) = &steps[1] else { panic!("{:?}", steps[1]) };
+    assert!(search.assemblies.as_ref().is_some_and(|list| list.is_proved()));
+    assert_eq!(search.other_in_its_interval(), None);
+    assert!(!search.is_the_way_of(&before));
 }

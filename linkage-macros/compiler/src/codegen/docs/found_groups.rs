@@ -45,12 +45,14 @@ fn lines(mechanism: &Mechanism) -> Vec<String> {
     lines.extend(["     }", " }", " ```"].map(String::from));
     for search in &mechanism.as_drawn.searches {
         lines.extend([String::new(), followed(search)]);
+        lines.extend(assembled(search));
     }
     lines
 }
 
 /// The stretches over which a machine was followed with an unknown.
-fn followed(SearchFollowed { unknown, traced, stretches }: &SearchFollowed) -> String {
+fn followed(search: &SearchFollowed) -> String {
+    let SearchFollowed { unknown, traced, stretches, .. } = search;
     let goes = stretches.iter().map(goes).collect::<Vec<_>>().join(", and while ");
     let alone = if stretches.len() > 1 { ", the others as drawn" } else { "" };
     match traced {
@@ -62,6 +64,23 @@ fn followed(SearchFollowed { unknown, traced, stretches }: &SearchFollowed) -> S
              within a third of the interval while {goes} about the drawing."
         ),
     }
+}
+
+/// The count of ways to assemble its group where it is drawn.
+fn assembled(SearchFollowed { unknown, assemblies, .. }: &SearchFollowed) -> Option<String> {
+    let list = assemblies.as_ref()?;
+    let at_most = list.at_most;
+    if !list.is_proved() {
+        return Some(format!(" Its group has at most {at_most} assemblies."));
+    }
+    let nearest = list.nearest_other().map_or(String::new(), |nearest| {
+        let away = nearest.abs().to_degrees();
+        format!(": in the nearest other `{unknown}` is {away:.1}° away")
+    });
+    let count = list.list.len();
+    Some(format!(
+        " Where it is drawn its group has {count} assemblies, of at most {at_most}{nearest}."
+    ))
 }
 
 fn goes(Stretch { input, ends, is_angle }: &Stretch) -> String {

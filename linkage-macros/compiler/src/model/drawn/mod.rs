@@ -116,6 +116,7 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     if outline::lengths::pose_has_declared_lengths(&mut bodies, values.scope.diagnostics)? {
         steps = self::steps(&bodies, values.scope.diagnostics)?;
     }
+    outline::listed_assemblies::note_assemblies(&bodies, &steps, values.scope.diagnostics);
     let inputs = values.inputs_of_the_drawing(&bodies);
     bodies.driven = values.driven(&bodies, inputs.as_deref());
     let mut writer = writing::writer::Writer::new(&bodies, &values.pen);

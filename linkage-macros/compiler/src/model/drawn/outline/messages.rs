@@ -1,6 +1,7 @@
 //! Messages about drawings that cannot be cut.
 
 use crate::chain::Trouble;
+use crate::chain::assembly_list::OtherAssembly;
 use crate::chain::cutting::{Dyad, Pair};
 use crate::chain::machine::{GROUND, Machine};
 use crate::diagnostics::Diagnostics;
@@ -9,6 +10,7 @@ use crate::syntax::tree::{Declaration, DriveStatement, StatementKind};
 use crate::model::acting::RequestedEffort;
 use crate::model::as_written::text;
 use crate::model::drawn::outline::bodies::Bodies;
+use crate::model::drawn::outline::listed_assemblies::angle_in_words;
 use crate::model::drawn::outline::loose;
 use crate::model::mechanism::Mechanism;
 use crate::model::names::listed;
@@ -33,7 +35,9 @@ pub(in crate::model::drawn) fn report(
         Trouble::Undecided { bodies: those } => undecided(bodies, those, diagnostics),
         Trouble::AtDeadPoint { bodies: those } => at_dead_point(bodies, those, diagnostics),
         Trouble::AtLimits { bodies: those, dyad } => at_limits(bodies, those, *dyad, diagnostics),
-        Trouble::NotAlone { bodies: those } => not_alone(bodies, those, diagnostics),
+        Trouble::NotAlone { bodies: those, other } => {
+            not_alone(bodies, those, *other, diagnostics);
+        }
     }
 }
 
@@ -199,10 +203,18 @@ fn at_limits(
     diagnostics.error_because(link.span(), message, reason);
 }
 
-fn not_alone(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
+fn not_alone(
+    bodies: &Bodies<'_>,
+    those: &[usize],
+    other: Option<OtherAssembly>,
+    diagnostics: &mut Diagnostics,
+) {
     let Some(link) = bodies.last_link(those) else { return };
     let all = bodies.listed(those);
-    let message = format!("{all} can be assembled in another way close to the drawing");
+    let other = other.map_or(String::new(), |OtherAssembly { body, turned }| {
+        format!(", {} turned by {}", bodies.name(body), angle_in_words(turned))
+    });
+    let message = format!("{all} can be assembled in another way close to the drawing{other}");
     let reason = "no interval of an unknown holds the drawing alone: draw a pose where the two are farther \
                   apart, or declare the groups with `unknown` and `solve`";
     diagnostics.error_because(link.span(), message, reason);

@@ -5,5 +5,6 @@ pub(in crate::model::drawn) mod bodies;
 pub(in crate::model::drawn) mod figures;
 pub(in crate::model::drawn) mod frames;
 pub(in crate::model::drawn) mod lengths;
+pub(in crate::model::drawn) mod listed_assemblies;
 pub(in crate::model::drawn) mod loose;
 pub(in crate::model::drawn) mod messages;

@@ -38,9 +38,8 @@ impl Writer<'_, '_> {
     }
 
     pub(in crate::model::drawn) fn search(&mut self, search: &SearchedGroup) {
-        let links = search.steps.iter().flat_map(bodies_of).chain([search.left_out]);
-        let links = links.chain(search.held.map(|(body, _)| body));
-        let behind = links.map(|body| self.bodies.link(body).statement).max().unwrap_or(0);
+        let links = search.bodies();
+        let behind = links.iter().map(|&body| self.bodies.link(body).statement).max().unwrap_or(0);
         let begin = self.written.len();
         let is_angle = matches!(search.steps[0], Found::Crank { .. });
         let span = self.frames.name(search.left_out).span();
@@ -55,12 +54,11 @@ impl Writer<'_, '_> {
             Some(names.traced)
         });
         let from = if traced.is_some() { 0.0 } else { drawn };
-        let held = search.held.map(|(body, _)| body);
-        let links = search.steps.iter().flat_map(bodies_of).chain([search.left_out]);
-        self.hide(unknown.clone(), &links.chain(held).collect::<Vec<_>>());
+        self.hide(unknown.clone(), &links);
         let ends = search.between.map(|end| self.end(from + end, is_angle));
         let stretches = self.stretches(search);
-        let sought = SearchFollowed { unknown: unknown.clone(), traced, stretches };
+        let assemblies = search.assemblies.clone();
+        let sought = SearchFollowed { unknown: unknown.clone(), traced, stretches, assemblies };
         self.searches.push(sought);
         let kind = Ident::new(if is_angle { "angle" } else { "length" }, span);
         let (name, kind) = (unknown.clone(), Some(kind));
@@ -260,16 +258,5 @@ impl Writer<'_, '_> {
         let letters = ["phi", "psi", "chi", "xi"].map(String::from).into_iter();
         let more = (1..).map(|number| format!("phi{number}"));
         self.names.first(letters.chain(more), span)
-    }
-}
-
-fn bodies_of(step: &Found) -> Vec<usize> {
-    match step {
-        Found::Crank { body, .. } | Found::Slider { body, .. } => vec![*body],
-        Found::Dyad(dyad) => {
-            let legs = dyad.legs.iter().flat_map(|leg| leg.bodies.clone());
-            legs.chain(dyad.carried_bodies()).collect()
-        }
-        Found::Search(search) => search.steps.iter().flat_map(bodies_of).collect(),
     }
 }

@@ -1,0 +1,121 @@
+//! The numbers by which closures are computed.
+
+use super::super::chebyshev::{Nodes, ZerosFound};
+use super::super::disc::Disc;
+use super::super::tower::{PRIME, Tower, product, reciprocal};
+use super::*;
+
+/// A root that is adjoined is one, its inverse too, and the norm of x + y s is the product of both signs.
+#[test]
+fn towers_are_fields() {
+    let mut numbers = Numbers(29);
+    let mut residue = move || (numbers.next() * PRIME as f64) as u64;
+    let mut tower = Tower::default();
+    let first = tower.adjoin(vec![residue()]);
+    let square = tower.times(&first, &first);
+    assert_eq!(square[1], 0);
+    let second = tower.adjoin(vec![residue(), residue()]);
+    for _ in 0..20 {
+        let a: Vec<_> = (0..4).map(|_| residue()).collect();
+        let b: Vec<_> = (0..2).map(|_| residue()).collect();
+        let one = tower.times(&a, &tower.inverse(&a));
+        assert_eq!(one, [1, 0, 0, 0]);
+        let both = tower.times(&tower.times(&a, &b), &second);
+        assert_eq!(both, tower.times(&a, &tower.times(&second, &b)));
+        // The norm is multiplicative, and that of a residue is its fourth power.
+        let norms = product(tower.norm(&a, 2), tower.norm(&b, 2));
+        assert_eq!(tower.norm(&tower.times(&a, &b), 2), norms);
+        let x = residue();
+        let square = product(x, x);
+        assert_eq!(tower.norm(&[x], 2), product(square, square));
+        assert_eq!(product(x, reciprocal(x)), 1);
+        assert_eq!(tower.minus(&tower.plus(&a, &b), &b), a);
+    }
+}
+
+/// Points of discs, and results of operations on them, which the resulting discs hold.
+#[test]
+fn discs_hold_what_they_enclose() {
+    let mut numbers = Numbers(31);
+    for _ in 0..4000 {
+        let mut number = || 4.0 * numbers.next() - 2.0;
+        let mut disc =
+            || Disc { radius: 0.3 * number().abs().powi(4), ..Disc::exact(number(), number()) };
+        let (a, b) = (disc(), disc());
+        // A point at the rim.
+        let mut rim = |of: Disc| {
+            let at = Complex::turned(2.0 * number());
+            Complex::new(of.x, of.y) + at.times(of.radius * (1.0 - 1e-9))
+        };
+        let (p, q) = (rim(a), rim(b));
+        let holds = |disc: Disc, point: Complex| {
+            let off = (point - Complex::new(disc.x, disc.y)).length();
+            // The roundings of the point itself.
+            let own = 1e-15 * (1.0 + point.length());
+            assert!(off <= disc.radius + own, "{off} in {disc:?}");
+        };
+        holds(a.plus(b), p + q);
+        holds(a.minus(b), p - q);
+        holds(a.times(b), p * q);
+        holds(a.conjugate(), p.conjugate());
+        let inverse = a.inverse();
+        if inverse.radius.is_finite() {
+            holds(inverse, p.conjugate().times(1.0 / p.dot(p)));
+            // No wider than the image, which reaches as far on its near side.
+            let least = Complex::new(a.x, a.y).length() - a.radius;
+            assert!(inverse.radius < 1.001 * a.radius / (least * (least + a.radius)) + 1e-12);
+        } else {
+            assert!(Complex::new(a.x, a.y).length() <= a.radius * (1.0 + 1e-9));
+        }
+        let root = a.root();
+        let half = Complex::turned(p.angle() / 2.0).times(p.length().sqrt());
+        let off = [half, -half].map(|half| (half - Complex::new(root.x, root.y)).length());
+        assert!(off[0].min(off[1]) <= root.radius * (1.0 + 1e-12), "{off:?} in {root:?}");
+        assert!(root.radius <= a.radius.sqrt() * 1.001 + 1e-14);
+    }
+}
+
+/// Exact operations have discs of a few roundings, and no less than theirs.
+#[test]
+fn discs_of_exact_numbers_are_small() {
+    let third = Disc::exact(3.0, 0.0).inverse();
+    // 1/3 is off by a third of the last place.
+    assert!(third.radius > 1e-17 && third.radius < 2e-15, "{third:?}");
+    let product = Disc::exact(0.1, 0.3).times(Disc::exact(0.7, 0.9));
+    assert!(product.radius > 1e-17 && product.radius < 2e-15, "{product:?}");
+    assert!(Disc::exact(1e-200, 0.0).times(Disc::exact(1e-200, 0.0)).radius > 0.0);
+    assert!(!Disc::exact(0.0, 0.0).inverse().radius.is_finite());
+}
+
+/// The zeros of polynomials that are given by their roots.
+#[test]
+fn polynomials_tell_their_zeros() {
+    for count in [7, 19, 59] {
+        let nodes = Nodes::of(count);
+        let told = |radius: f64, of: &dyn Fn(f64) -> f64| {
+            let mut values = Nodes::no_values();
+            (0..count).for_each(|node| values[node] = of(nodes.node(node)));
+            nodes.polynomial(&values, radius).zeros()
+        };
+        let ZerosFound::One([from, to]) = told(0.0, &|x| (x - 0.3) * (x * x + 4.0)) else {
+            panic!("{count}")
+        };
+        assert!(from <= 0.3 && 0.3 <= to && to - from < 1e-10, "{count}: {from} to {to}");
+        let ZerosFound::One([from, to]) = told(1e-6, &|x| 0.3 - x) else { panic!("{count}") };
+        // Four times the radius about the zero, by a slope that is known to 59² of these.
+        for around in [0.3 - from, to - 0.3] {
+            assert!((4e-6..4.1e-6).contains(&around), "{count}: {around:e}");
+        }
+        assert_eq!(told(0.0, &|x| x * x * x + x + 3.0), ZerosFound::None);
+        assert_eq!(told(0.0, &|x| x + 1.5), ZerosFound::None);
+        // Its slope keeps its sign, and its constant term is no greater than the others.
+        assert_eq!(told(0.0, &|x| 0.95 + x + 0.1 * (2.0 * x * x - 1.0)), ZerosFound::None);
+        assert_eq!(told(0.0, &|x| x * x), ZerosFound::Unknown);
+        assert_eq!(told(0.0, &|x| x * x - 0.25), ZerosFound::Unknown);
+        // Not known well enough: at an end, or everywhere.
+        assert_eq!(told(1e-3, &|x| 1.0 + x - 3e-3), ZerosFound::Unknown);
+        assert_eq!(told(1.0, &|x| x), ZerosFound::Unknown);
+        assert_eq!(told(f64::INFINITY, &|x| x), ZerosFound::Unknown);
+        assert_eq!(told(0.0, &|_| f64::NAN), ZerosFound::Unknown);
+    }
+}

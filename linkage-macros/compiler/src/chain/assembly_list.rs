@@ -1,0 +1,74 @@
+//! The ways to assemble a group, as far as they are proved.
+
+/// How far a list of assemblies is proved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Outcome {
+    Proved,
+    /// Between two angles from the drawing there may be two assemblies, or none: they are next to each other, or have one unknown.
+    Open {
+        from: f64,
+        to: f64,
+    },
+    OutOfBudget,
+}
+
+/// A way to assemble a group.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Assembly {
+    /// The angle of the unknown from its value in the drawing.
+    pub unknown: f64,
+    /// The sides of the dyads in their order, a bit each: set where the inner pin is on the left of the way between the outer ones.
+    pub sides: usize,
+    /// True if the equation's left side grows with the unknown.
+    pub rises: bool,
+}
+
+/// The ways to assemble a group in the pose of its drawing.
+#[derive(Clone, Debug)]
+pub(crate) struct Assemblies {
+    /// The count of complex ones, whatever the lengths are.
+    pub at_most: usize,
+    pub outcome: Outcome,
+    /// In the order of their unknowns, as far as they are proved.
+    pub list: Vec<Assembly>,
+    /// The index of the drawing.
+    pub drawn: Option<usize>,
+    /// True if the unknowns are those of another way to solve the group than the one that is taken.
+    pub is_by_another: bool,
+}
+
+impl Assemblies {
+    /// True if these are all assemblies, the drawing among them.
+    pub(crate) fn is_proved(&self) -> bool {
+        self.outcome == Outcome::Proved && self.drawn.is_some()
+    }
+
+    /// The nearest other assembly with the drawing's sides and trend whose unknown is between these: a search there may find it.
+    pub(crate) fn other_between(&self, [from, to]: [f64; 2]) -> Option<f64> {
+        let drawn = self.list[self.drawn?];
+        let is_like_it = |other: &&Assembly| {
+            **other != drawn
+                && (other.sides, other.rises) == (drawn.sides, drawn.rises)
+                && (from..=to).contains(&other.unknown)
+        };
+        let angles = self.list.iter().filter(is_like_it).map(|other| other.unknown);
+        angles.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
+    /// The angle from the drawing to the nearest other assembly, where it is one of the unknown.
+    pub(crate) fn nearest_other(&self) -> Option<f64> {
+        if self.is_by_another {
+            return None;
+        }
+        let others = self.list.iter().enumerate().filter(|(index, _)| Some(*index) != self.drawn);
+        let angles = others.map(|(_, assembly)| assembly.unknown);
+        angles.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+}
+
+/// The nearest other way to assemble a group than the drawing's: an angle by which a body is turned from there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct OtherAssembly {
+    pub body: usize,
+    pub turned: f64,
+}
