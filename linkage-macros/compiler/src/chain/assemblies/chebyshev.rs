@@ -83,7 +83,7 @@ impl Polynomial {
             return ZerosFound::None;
         }
         let least_slope = self.least_slope();
-        if !(least_slope > 0.0) {
+        if least_slope <= 0.0 || least_slope.is_nan() {
             return ZerosFound::Unknown;
         }
         let ends = [-1.0, 1.0].map(|end| self.at(end));

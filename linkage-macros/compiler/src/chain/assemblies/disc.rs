@@ -61,7 +61,7 @@ impl Disc {
     /// Of a disc that holds zero the radius is infinite. |1/z − 1/c| = |z − c|/(|z| |c|).
     pub(super) fn inverse(self) -> Self {
         let least = self.least();
-        if !(least > self.radius) {
+        if least <= self.radius || self.radius.is_nan() {
             return Self { x: 0.0, y: 0.0, radius: f64::INFINITY };
         }
         // In this order no square of the length overflows.

@@ -256,7 +256,8 @@ fn the_nearest_other_assembly_is_named() {
     let machine = beside_a_dead_point(1.1);
     let (crank, all) = ways(&machine);
     for search in &all {
-        let told = not_chosen(Unchosen::NoInterval, &machine, &[2, 3, 4, 5], &[search.clone()]);
+        let one = std::slice::from_ref(search);
+        let told = not_chosen(Unchosen::NoInterval, &machine, &[2, 3, 4, 5], one);
         let Trouble::NotAlone { bodies, other: Some(OtherAssembly { body, turned }) } = told else {
             panic!("{told:?}")
         };

@@ -65,7 +65,9 @@ impl Counted {
 #[test]
 fn degrees_are_counts_of_complex_assemblies() {
     let mut kinds = BTreeMap::new();
-    all().into_iter().for_each(|(joints, counted)| drop(kinds.entry(joints).or_insert(counted)));
+    for (joints, counted) in all() {
+        kinds.entry(joints).or_insert(counted);
+    }
     let (mut degrees, mut powers, mut uncut) = (BTreeMap::new(), Vec::new(), 0);
     for (joints, counted) in &kinds {
         *degrees.entry((counted.links.len(), counted.at_most)).or_insert(0) += 1;

@@ -30,7 +30,10 @@ fn compared(count: usize, grid: Option<f64>) -> Compared {
             PIECES.with(|count| count.set(0));
             let list = of_triad(&machine, &search);
             compared.most_pieces = compared.most_pieces.max(PIECES.with(|count| count.get()));
-            assert!(list.outcome != Outcome::Proved || list.list.len() % 2 == 0, "{places:?}");
+            assert!(
+                list.outcome != Outcome::Proved || list.list.len().is_multiple_of(2),
+                "{places:?}"
+            );
             list
         });
         match lists.each_ref().map(|list| list.outcome) {
