@@ -1,6 +1,6 @@
 //! The ways to assemble a group, as far as they are proved.
 
-/// How far a list of assemblies is proved.
+/// The part of the assemblies that is proved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outcome {
     Proved,
@@ -14,7 +14,7 @@ pub(crate) enum Outcome {
 
 /// A way to assemble a group.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Assembly {
+pub(crate) struct ListedAssembly {
     /// The angle of the unknown from its value in the drawing.
     pub unknown: f64,
     /// The sides of the dyads in their order, a bit each: set where the inner pin is on the left of the way between the outer ones.
@@ -30,7 +30,7 @@ pub(crate) struct Assemblies {
     pub at_most: usize,
     pub outcome: Outcome,
     /// In the order of their unknowns, as far as they are proved.
-    pub list: Vec<Assembly>,
+    pub list: Vec<ListedAssembly>,
     /// The index of the drawing.
     pub drawn: Option<usize>,
     /// True if the unknowns are those of another way to solve the group than the one that is taken.
@@ -46,7 +46,7 @@ impl Assemblies {
     /// The nearest other assembly with the drawing's sides and trend whose unknown is between these: a search there may find it.
     pub(crate) fn other_between(&self, [from, to]: [f64; 2]) -> Option<f64> {
         let drawn = self.list[self.drawn?];
-        let is_like_it = |other: &&Assembly| {
+        let is_like_it = |other: &&ListedAssembly| {
             **other != drawn
                 && (other.sides, other.rises) == (drawn.sides, drawn.rises)
                 && (from..=to).contains(&other.unknown)

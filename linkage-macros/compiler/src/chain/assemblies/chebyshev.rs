@@ -18,8 +18,8 @@ pub(super) struct Nodes {
 /// A polynomial over −1 … 1, as far as it is known.
 pub(super) struct Polynomial {
     count: usize,
-    coefficients: [f64; MOST],
-    /// How far the sum of these coefficients is off it at most.
+    terms: [f64; MOST],
+    /// A bound on what the sum of these terms is off by.
     off: f64,
     /// The sum of the coefficients' magnitudes, which bounds all values.
     size: f64,
@@ -53,16 +53,16 @@ impl Nodes {
     /// cosine is off by ten units, as its argument of up to 2π is, and a sum of n products by n half units.
     pub(super) fn polynomial(&self, values: &[f64; MOST], radius: f64) -> Polynomial {
         let count = self.count;
-        let mut coefficients = [0.0; MOST];
-        for (row, coefficient) in coefficients.iter_mut().enumerate().take(count) {
+        let mut terms = [0.0; MOST];
+        for (row, term) in terms.iter_mut().enumerate().take(count) {
             let cosine = |node: usize| self.cosines[row * (2 * node + 1) % (4 * count)];
             let sum: f64 = (0..count).map(|node| values[node] * cosine(node)).sum();
-            *coefficient = sum * if row == 0 { 1.0 } else { 2.0 } / count as f64;
+            *term = sum * if row == 0 { 1.0 } else { 2.0 } / count as f64;
         }
         let all: f64 = values[..count].iter().map(|value| value.abs()).sum();
-        let size = coefficients[..count].iter().map(|one| one.abs()).sum();
+        let size = terms[..count].iter().map(|one| one.abs()).sum();
         let off = 4.0 * radius + (count + 24) as f64 * EPSILON * all;
-        Polynomial { count, coefficients, off, size }
+        Polynomial { count, terms, off, size }
     }
 
     pub(super) fn no_values() -> [f64; MOST] {
@@ -74,7 +74,7 @@ impl Polynomial {
     /// The zeros, by two rules: a constant term that is greater than all others leaves none, and one of the slope leaves one at
     /// most, which the signs at the ends tell.
     pub(super) fn zeros(&self) -> ZerosFound {
-        let constant = self.coefficients[0].abs();
+        let constant = self.terms[0].abs();
         if !(self.size + self.off).is_finite() {
             return ZerosFound::Unknown;
         }
@@ -104,7 +104,7 @@ impl Polynomial {
         let mut slope = [0.0; MOST + 1];
         let mut terms = 0.0;
         for index in (1..=degree).rev() {
-            let term = 2.0 * index as f64 * self.coefficients[index];
+            let term = 2.0 * index as f64 * self.terms[index];
             terms += term.abs();
             slope[index - 1] = slope[index + 1] + term;
         }
@@ -118,10 +118,10 @@ impl Polynomial {
     /// passes this on up to n-fold.
     fn at(&self, x: f64) -> f64 {
         let mut later = [0.0; 2];
-        for &one in self.coefficients[1..self.count].iter().rev() {
+        for &one in self.terms[1..self.count].iter().rev() {
             later = [one + 2.0 * x * later[0] - later[1], later[0]];
         }
-        self.coefficients[0] + x * later[0] - later[1]
+        self.terms[0] + x * later[0] - later[1]
     }
 
     fn rounding_of_values(&self) -> f64 {

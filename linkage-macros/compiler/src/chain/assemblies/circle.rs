@@ -44,11 +44,11 @@ struct Piece {
 
 /// The angle from which halves are counted, by the tangent of its half.
 #[derive(Clone, Copy)]
-pub(super) struct Origin {
+pub(super) struct CircleOrigin {
     pub tangent: f64,
 }
 
-impl Origin {
+impl CircleOrigin {
     /// A point of the circle, from the tangent of half the angle between.
     fn turn(self, is_opposite: bool, tangent: Disc) -> Disc {
         let turn = unit(tangent).times(unit(Disc::exact(self.tangent, 0.0)));
@@ -71,7 +71,7 @@ fn unit(tangent: Disc) -> Disc {
 /// most `budget` pieces are looked at.
 pub(super) fn zeros(
     of: &impl OnCircle,
-    (half, origin): (usize, Origin),
+    (half, origin): (usize, CircleOrigin),
     budget: usize,
     mut found: impl FnMut([f64; 2]),
 ) -> Outcome {
@@ -144,7 +144,7 @@ impl Piece {
         [[from, between], [between, to]].map(|ends| Self { ends, ..*self })
     }
 
-    fn angles(&self, origin: Origin, ends: [f64; 2]) -> [f64; 2] {
+    fn angles(&self, origin: CircleOrigin, ends: [f64; 2]) -> [f64; 2] {
         let ends = ends.map(|end| origin.angle(self.is_opposite, end));
         let turns = ((ends[0] + PI) / TAU).floor();
         ends.map(|end| end - turns * TAU)
@@ -161,7 +161,7 @@ impl Piece {
     fn zeros(
         &self,
         of: &impl OnCircle,
-        (half, origin): (usize, Origin),
+        (half, origin): (usize, CircleOrigin),
         nodes: &Nodes,
     ) -> ZerosFound {
         let [from, to] = self.ends.map(|end| origin.angle(self.is_opposite, end));

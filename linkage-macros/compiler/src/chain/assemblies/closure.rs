@@ -31,7 +31,7 @@ pub(super) trait Algebra {
 
 /// A body's motion: z ↦ shift + turn z.
 #[derive(Clone)]
-struct Motion<N> {
+struct BodyMotion<N> {
     shift: Twin<N>,
     turn: Twin<N>,
 }
@@ -39,7 +39,7 @@ struct Motion<N> {
 /// A computation in one algebra: the bodies that are placed so far.
 struct Closing<'a, A: Algebra> {
     algebra: &'a mut A,
-    of: [Option<Motion<A::Number>>; BODIES],
+    of: [Option<BodyMotion<A::Number>>; BODIES],
 }
 
 impl<A: Algebra> Closing<'_, A> {
@@ -63,7 +63,7 @@ impl<A: Algebra> Closing<'_, A> {
     fn point(&self, at: BodyPin) -> Twin<A::Number> {
         let local = self.algebra.place(at);
         match &self.of[at.body] {
-            Some(Motion { shift, turn }) => self.plus(shift, &self.times(turn, &local)),
+            Some(BodyMotion { shift, turn }) => self.plus(shift, &self.times(turn, &local)),
             None => local,
         }
     }
@@ -71,7 +71,7 @@ impl<A: Algebra> Closing<'_, A> {
     /// Places a body by its turning and a pin.
     fn take(&mut self, at: BodyPin, to: &Twin<A::Number>, turn: Twin<A::Number>) {
         let shift = self.minus(to, &self.times(&turn, &self.algebra.place(at)));
-        self.of[at.body] = Some(Motion { shift, turn });
+        self.of[at.body] = Some(BodyMotion { shift, turn });
     }
 }
 

@@ -17,14 +17,14 @@ const POINTS: usize = 2 * MOST_DEGREE + 3;
 
 /// The powers by which a group's closure is a trigonometric polynomial of degree n.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Degree {
+pub(super) struct ClosureDegree {
     /// By dyad.
     pub powers: Vec<u64>,
     pub half: usize,
 }
 
 /// The powers and the degree of a kind of group; `None` where no powers up to ten make one up to thirty.
-pub(super) fn degree(group: &PinnedGroup) -> Option<Degree> {
+pub(super) fn degree(group: &PinnedGroup) -> Option<ClosureDegree> {
     let samples: Vec<_> = (0..POINTS).map(|index| Sampled::of(group, point(index))).collect();
     let weights = [0, 1].map(|first| weights(first, POINTS - 1));
     let powers = all_powers(group.dyads.len()).into_iter().find(|powers| {
@@ -41,7 +41,7 @@ pub(super) fn degree(group: &PinnedGroup) -> Option<Degree> {
             divided_difference(&values, &self::weights(first, count)) == 0
         })
     })?;
-    (half > 0).then_some(Degree { powers, half })
+    (half > 0).then_some(ClosureDegree { powers, half })
 }
 
 /// All powers of so many bases, those with the least sums first.

@@ -58,7 +58,7 @@ impl Disc {
         Self { x, y, radius: outward(radius + self.radius * other.radius) }
     }
 
-    /// Of a disc that holds zero the radius is infinite. |1/z − 1/c| = |z − c|/(|z| |c|).
+    /// The radius is infinite for a disc that holds zero. |1/z − 1/c| = |z − c|/(|z| |c|).
     pub(super) fn inverse(self) -> Self {
         let least = self.least();
         if least <= self.radius || self.radius.is_nan() {

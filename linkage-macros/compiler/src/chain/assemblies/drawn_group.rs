@@ -2,7 +2,7 @@
 
 use super::circle::OnCircle;
 use super::closure::{Algebra, Twin, closure};
-use super::degree::Degree;
+use super::degree::ClosureDegree;
 use super::disc::Disc;
 use super::pinned::{BodyPin, PinnedGroup, STANDING, TURNED};
 use crate::chain::plane::Complex;
@@ -11,11 +11,11 @@ use crate::chain::plane::Complex;
 const ROUNDING: f64 = 1e-9;
 
 /// The sides of the dyads, a bit each: set where the inner pin is on the left of the way from the first outer pin to the second.
-pub(super) type Sides = usize;
+pub(super) type DyadSides = usize;
 
 pub(super) struct DrawnGroup<'g> {
     pub group: &'g PinnedGroup,
-    pub degree: &'g Degree,
+    pub degree: &'g ClosureDegree,
     /// By pin of the machine, in a unit in which it is about one.
     pub pins: &'g [Complex],
     /// The pins of the link that was left out, whose distance is the equation.
@@ -28,7 +28,7 @@ impl DrawnGroup<'_> {
     }
 
     /// The sides on which the dyads are drawn.
-    pub(super) fn drawn(&self) -> Sides {
+    pub(super) fn drawn(&self) -> DyadSides {
         let side = |(index, dyad): (usize, &super::pinned::PinnedDyad)| {
             let [from, to] = dyad.bars.map(|bar| self.pins[bar.outer.pin]);
             let is_left = (to - from).cross(self.pins[dyad.inner] - from) > 0.0;
@@ -38,7 +38,7 @@ impl DrawnGroup<'_> {
     }
 
     /// The equation of one mode, turned by an angle from the drawing; `None` where a dyad does not assemble.
-    pub(super) fn missed(&self, angle: f64, sides: Sides) -> Option<f64> {
+    pub(super) fn missed(&self, angle: f64, sides: DyadSides) -> Option<f64> {
         let turn = Complex::turned(angle);
         let mut plain = Plain { of: self, turn, sides, assembles: true };
         let missed = closure(self.group, &mut plain, |_, _| {}).x;
@@ -54,7 +54,7 @@ impl OnCircle for DrawnGroup<'_> {
             let mut enclosed = Enclosed { of: self, turn, sides };
             let mut bases = all;
             let missed = closure(self.group, &mut enclosed, |index, base| {
-                // Of a base the sides of the dyads before it alone are modes.
+                // A base depends on the sides of the dyads before it alone.
                 if sides >> index == 0 {
                     bases = (0..self.degree.powers[index]).fold(bases, |all, _| all.times(*base));
                 }
@@ -94,7 +94,7 @@ struct Enclosed<'g> {
     of: &'g DrawnGroup<'g>,
     turn: Disc,
     /// The sides of the dyads that are not placed yet.
-    sides: Sides,
+    sides: DyadSides,
 }
 
 fn twin(place: Complex) -> Twin<Disc> {
@@ -146,7 +146,7 @@ impl Algebra for Enclosed<'_> {
 struct Plain<'g> {
     of: &'g DrawnGroup<'g>,
     turn: Complex,
-    sides: Sides,
+    sides: DyadSides,
     assembles: bool,
 }
 

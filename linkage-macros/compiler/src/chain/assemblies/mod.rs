@@ -20,12 +20,12 @@ mod drawn_group;
 mod pinned;
 mod tower;
 
-use circle::{Origin, zeros};
-use degree::Degree;
-use drawn_group::{DrawnGroup, Sides};
+use circle::{CircleOrigin, zeros};
+use degree::ClosureDegree;
+use drawn_group::{DrawnGroup, DyadSides};
 use pinned::PinnedGroup;
 
-use super::assembly_list::{Assemblies, Assembly, OtherAssembly, Outcome};
+use super::assembly_list::{Assemblies, ListedAssembly, OtherAssembly, Outcome};
 use super::cutting::{Found, Pair, SearchedGroup};
 use super::machine::Machine;
 use super::plane::Complex;
@@ -65,7 +65,7 @@ pub(super) fn assemblies(machine: &Machine, search: &SearchedGroup) -> Option<As
 fn of_degree(
     machine: &Machine,
     search: &SearchedGroup,
-    (group, degree): (&PinnedGroup, &Degree),
+    (group, degree): (&PinnedGroup, &ClosureDegree),
 ) -> Option<Assemblies> {
     let [Pair::Pin(first), Pair::Pin(second)] = search.joints else { return None };
     // A power of two, by which places are divided without rounding.
@@ -73,7 +73,7 @@ fn of_degree(
     let pins: Vec<Complex> = machine.pins.iter().map(|pin| pin.times(1.0 / unit)).collect();
     let left_out = [first, second].map(|pin| pins[pin]);
     let drawn = DrawnGroup { group, degree, pins: &pins, left_out };
-    let mut lists = ORIGINS.iter().map(|&tangent| drawn.assemblies(Origin { tangent }));
+    let mut lists = ORIGINS.iter().map(|&tangent| drawn.assemblies(CircleOrigin { tangent }));
     let first = lists.next()?;
     match first.outcome {
         Outcome::Open { .. } => lists.find(Assemblies::is_proved).or(Some(first)),
@@ -82,7 +82,7 @@ fn of_degree(
 }
 
 impl DrawnGroup<'_> {
-    fn assemblies(&self, origin: Origin) -> Assemblies {
+    fn assemblies(&self, origin: CircleOrigin) -> Assemblies {
         let (mut list, mut unplaced) = (Vec::new(), None);
         let found = |ends: [f64; 2]| match self.assembly(ends) {
             Some(assembly) => list.push(assembly),
@@ -95,13 +95,13 @@ impl DrawnGroup<'_> {
         };
         list.sort_by(|a, b| a.unknown.total_cmp(&b.unknown));
         let sides = self.drawn();
-        let is_drawn = |one: &Assembly| one.unknown == 0.0 && one.sides == sides;
+        let is_drawn = |one: &ListedAssembly| one.unknown == 0.0 && one.sides == sides;
         let drawn = list.iter().position(is_drawn);
         Assemblies { at_most: 2 * self.degree.half, outcome, list, drawn, is_by_another: false }
     }
 
     /// The assembly at a zero of the product: the only mode whose equation changes its sign there.
-    fn assembly(&self, [from, to]: [f64; 2]) -> Option<Assembly> {
+    fn assembly(&self, [from, to]: [f64; 2]) -> Option<ListedAssembly> {
         WIDTHS.iter().find_map(|width| {
             let ends = [from - width, to + width];
             let mut changing = (0..self.modes()).filter_map(|sides| {
@@ -113,12 +113,12 @@ impl DrawnGroup<'_> {
             // A drawing closes exactly, whatever the last places of its equation say.
             let is_drawn = sides == self.drawn() && ends[0] < 0.0 && 0.0 < ends[1];
             let unknown = || if is_drawn { 0.0 } else { self.root(ends, sides, rises) };
-            changing.next().is_none().then(|| Assembly { unknown: unknown(), sides, rises })
+            changing.next().is_none().then(|| ListedAssembly { unknown: unknown(), sides, rises })
         })
     }
 
     /// The place at which the equation of a mode changes its sign, by halving.
-    fn root(&self, [mut low, mut high]: [f64; 2], sides: Sides, rises: bool) -> f64 {
+    fn root(&self, [mut low, mut high]: [f64; 2], sides: DyadSides, rises: bool) -> f64 {
         loop {
             let middle = (low + high) / 2.0;
             if !(low < middle && middle < high) {

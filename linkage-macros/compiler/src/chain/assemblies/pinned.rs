@@ -45,7 +45,7 @@ pub(super) struct PinnedGroup {
 impl PinnedGroup {
     /// The group of a search; `None` where it has a slide, or a dyad carries links between its bars.
     pub(super) fn of(machine: &Machine, search: &SearchedGroup) -> Option<Self> {
-        let mut numbers = Numbers { machine, of: vec![STANDING; machine.bodies.len()] };
+        let mut numbers = BodyNumbers { machine, of: vec![STANDING; machine.bodies.len()] };
         let (first, others) = search.steps.split_first()?;
         let Found::Crank { drive: None, body, pivot, .. } = first else { return None };
         numbers.of[*body] = TURNED;
@@ -66,12 +66,12 @@ impl PinnedGroup {
 }
 
 /// The numbers of bodies, by their indices in the machine.
-struct Numbers<'m> {
+struct BodyNumbers<'m> {
     machine: &'m Machine,
     of: Vec<usize>,
 }
 
-impl Numbers<'_> {
+impl BodyNumbers<'_> {
     /// A placed pin: on a body of the group if there is one, else it stands still.
     fn host(&self, pin: usize) -> BodyPin {
         let own = self.machine.at(pin).map(|body| self.of[body]).find(|&body| body != STANDING);

@@ -48,7 +48,7 @@ fn cuts(machine: &Machine) -> Vec<SearchedGroup> {
 /// The power of a triad's base: the kind of group is the same for all lengths.
 fn of_triad(machine: &Machine, search: &SearchedGroup) -> Assemblies {
     let group = PinnedGroup::of(machine, search).expect("it has pins alone");
-    let degree = Degree { powers: vec![1], half: 3 };
+    let degree = ClosureDegree { powers: vec![1], half: 3 };
     of_degree(machine, search, (&group, &degree)).expect("it has pins alone")
 }
 

@@ -208,7 +208,7 @@ fn every_assembly_that_is_drawn_has_the_same_list() {
 }
 
 /// The pins of a triad in an assembly: the driven bar is turned, and the dyad's inner pin is on its side of the line between the outer ones.
-fn drawn_at(machine: &Machine, search: &SearchedGroup, assembly: Assembly) -> Vec<Complex> {
+fn drawn_at(machine: &Machine, search: &SearchedGroup, assembly: ListedAssembly) -> Vec<Complex> {
     let mut pins = machine.pins.clone();
     let [Found::Crank { body, pivot, .. }, Found::Dyad(dyad)] = &search.steps[..] else {
         panic!("{search:?}")

@@ -89,7 +89,7 @@ fn degrees_are_counts_of_complex_assemblies() {
 /// Every truss: as many assemblies as homotopy found, the drawing among them. The counts of those that were proved by their number of
 /// links, and of lists that a second cut had to prove.
 fn as_counted(is_taken: impl Fn(usize) -> bool) -> ([usize; 10], usize) {
-    let mut degrees: BTreeMap<(&str, usize), Degree> = BTreeMap::new();
+    let mut degrees: BTreeMap<(&str, usize), ClosureDegree> = BTreeMap::new();
     let (mut taken, mut again, mut most) = ([0; 10], 0, 0);
     for (index, (joints, counted)) in all().into_iter().enumerate() {
         let Some((machine, searches)) = counted.cut().filter(|_| is_taken(index)) else { continue };
