@@ -155,6 +155,7 @@ mod limit;
 mod mechanism;
 mod mixed;
 mod modes;
+mod parameters;
 mod plane;
 mod primitive;
 #[doc(hidden)]
@@ -187,6 +188,7 @@ pub use library_function::LibraryFunction;
 pub use mechanism::Mechanism;
 pub use mixed::{Given, Mixed};
 pub use modes::{Sense, Side};
+pub use parameters::Parameters;
 pub use record::Record;
 pub use results::{
     AngularAcceleration, AngularVelocity, Direction, Force, GuideForce, Point, Shaking, Slide,

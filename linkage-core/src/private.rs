@@ -42,7 +42,7 @@ pub use crate::sketch::{
 #[cfg(feature = "page")]
 pub use crate::sketch::{Declared, Page, Paged};
 pub use crate::slow_path::{apart, diagnose, diagnose_all, diagnose_in_part};
-pub use crate::solver::{Solver, Titles};
+pub use crate::solver::{Solver, Titles, lifted};
 pub use crate::sweep::kinds::*;
 pub use crate::sweep::{
     Entry, LengthMismatch, Progress, Series, Status, put_found, put_solved, put_usable, sweep,
@@ -55,8 +55,8 @@ pub use crate::with_serde_ as with_serde;
 pub use crate::with_sketch_ as with_sketch;
 pub use crate::{
     AngularAcceleration, AngularVelocity, Cost, Direction, Float, Force, GuideForce, Mask,
-    Mechanism, Point, Real, Record, Scalar, Sense, Shaking, Side, Slide, SlidingAcceleration,
-    SlidingDirection, SlidingVelocity, SolveError,
+    Mechanism, Parameters, Point, Real, Record, Scalar, Sense, Shaking, Side, Slide,
+    SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
 };
 #[cfg(feature = "ad")]
 pub use nalgebra::SMatrix;

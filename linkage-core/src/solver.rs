@@ -209,7 +209,7 @@ pub(crate) fn number<T: Scalar>(array: &impl AsRef<[T]>, at: usize) -> T {
 }
 
 /// A number without its derivatives as one of another type.
-#[inline]
-fn lifted<T: Real, U: Scalar>(number: T) -> U {
+#[inline(always)]
+pub fn lifted<T: Real, U: Scalar>(number: T) -> U {
     U::num(number.value())
 }

@@ -3,4 +3,5 @@
 mod generated;
 mod messages;
 mod pages;
+mod parameters;
 mod records;

@@ -1,8 +1,9 @@
 //! The question: free parameters, aims, keeps, and how long to search.
 
 use std::ops::{ControlFlow, RangeInclusive};
+use std::sync::Arc;
 
-use linkage_core::SolveError;
+use linkage_core::{Parameters, Scalar, SolveError};
 
 use crate::error::DesignError;
 use crate::found::{Counts, Found};
@@ -28,24 +29,60 @@ pub struct Design<'a, M, F, const N: usize> {
     kernel: Box<dyn Kernel + 'a>,
     told: Told<'a>,
     pub(crate) guards: Vec<Guard<'a, M, F>>,
+    /// Told by `run`.
+    unknown: Option<DesignError>,
+}
+
+/// The machine with the values that have a place, the others as they are.
+fn placed<P: Parameters<Number = f64>, T: Scalar>(
+    machine: &P,
+    places: &[Option<usize>],
+    values: &[T],
+) -> P::On<T> {
+    let mut places = places.iter();
+    machine.map(|own| {
+        let place = places.next().copied().flatten();
+        place.and_then(|place| values.get(place)).copied().unwrap_or(T::num(own))
+    })
+}
+
+/// The base unit of a parameter; none for a plain number.
+fn unit<P: Parameters>(name: &str) -> &'static str {
+    let mut named = P::NAMES.iter().zip(P::UNITS.split(' '));
+    let found = named.find(|(own, _)| **own == name).map_or("1", |(_, unit)| unit);
+    if found == "1" { "" } else { found }
 }
 
 impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
-    /// The parameters of these names and units, whose declared values are the first start; `on_duals` and
-    /// `on_numbers` make the machine. [`free!`](crate::free) writes all of them.
-    pub fn new(
-        parameters: [(&'static str, &'static str); N],
-        declared: [f64; N],
-        on_duals: impl Fn([Dual<N>; N]) -> M + Send + Sync + 'a,
-        on_numbers: impl Fn([f64; N]) -> F + Send + Sync + 'a,
-    ) -> Self {
+    /// A machine with these parameters free, whose declared values are the first start: what
+    /// [`free!`](crate::free) writes for names that rustc checks. Parameters that are not named, and modes, stay as
+    /// they are.
+    pub fn of<P>(machine: P, names: [&'static str; N]) -> Self
+    where
+        P: Parameters<Number = f64, On<Dual<N>> = M, On<f64> = F> + Send + Sync + 'a,
+    {
+        let declared = names.map(|name| machine.parameter(name).unwrap_or(f64::NAN));
+        let units = names.map(|name| unit::<P>(name));
+        // The place of each parameter of the machine among those that are free.
+        let places: Vec<_> =
+            P::NAMES.iter().map(|own| names.iter().position(|name| name == own)).collect();
+        let machine = Arc::new((machine, places));
+        let on_duals = {
+            let machine = Arc::clone(&machine);
+            move |values: [Dual<N>; N]| placed(&machine.0, &machine.1, &values)
+        };
+        let on_numbers = move |values: [f64; N]| placed(&machine.0, &machine.1, &values);
         let ranges = declared.map(|value: f64| {
             let ends = [0.2 * value, 5.0 * value];
             if value < 0.0 { [ends[1], ends[0]] } else { ends }
         });
+        let known = P::NAMES.iter().map(|name| name.to_string());
+        let unknown = names.iter().find(|name| !P::NAMES.contains(name));
+        let unknown = unknown
+            .map(|name| DesignError::Unknown { name: name.to_string(), known: known.collect() });
         let problem = Problem {
-            parameters: parameters.map(|named| named.0),
-            units: parameters.map(|named| named.1),
+            parameters: names,
+            units,
             declared,
             ranges,
             on_duals: Box::new(on_duals),
@@ -60,6 +97,7 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
             kernel: Box::new(Slsqp::default()),
             told: Box::new(|_| ControlFlow::Continue(())),
             guards: Vec::new(),
+            unknown,
         }
     }
 
@@ -200,7 +238,10 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
         self.problem.reaches.push(Box::new(reach));
     }
 
-    fn check(&self) -> Result<(), DesignError> {
+    fn check(&mut self) -> Result<(), DesignError> {
+        if let Some(unknown) = self.unknown.take() {
+            return Err(unknown);
+        }
         for (i, &parameter) in self.problem.parameters.iter().enumerate() {
             for [from, to] in
                 [Some(self.problem.ranges), self.plan.drawn].into_iter().flatten().map(|r| r[i])

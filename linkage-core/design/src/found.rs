@@ -60,7 +60,7 @@ pub struct Found<F, const N: usize> {
     pub solver: F,
     /// Names of the free parameters.
     pub parameters: [&'static str; N],
-    /// Their base units, `m`, `rad` or none.
+    /// Their base units, as `m`, `rad` or `kg·m²`; none for a plain number.
     pub units: [&'static str; N],
     /// Their values.
     pub values: [f64; N],
@@ -249,11 +249,17 @@ fn null_space(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     basis.select_rows(null.iter()).transpose()
 }
 
+/// A unit as a declaration writes it: `0.1m`, `0.1(kg*m^2)`.
+fn declared(unit: &str) -> String {
+    let text = unit.replace('·', "*").replace('²', "^2").replace('³', "^3");
+    if text.chars().all(char::is_alphabetic) { text } else { format!("({text})") }
+}
+
 impl<F, const N: usize> fmt::Display for Found<F, N> {
     /// The lines of the declaration, with deviations where they exist, and what limits them.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, name) in self.parameters.iter().enumerate() {
-            write!(f, "param {name} = {:.9}{};", self.values[i], self.units[i])?;
+            write!(f, "param {name} = {:.9}{};", self.values[i], declared(self.units[i]))?;
             match self.deviations {
                 Some(deviations) if deviations[i] > 0.0 => {
                     writeln!(f, " // ± {:.1e}", deviations[i])?;

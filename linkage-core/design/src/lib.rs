@@ -98,29 +98,18 @@ pub use search::{Progress, Stage};
 pub use tolerance::{Contribution, Drawn, Tolerance};
 pub use verdict::{Confirmed, Verdict};
 
-/// The parameters of a machine that a design may change: `free!(Press: rod, crank, start: angle)`.
+/// The parameters of a machine that a design may change: `free!(Press: rod, crank, start)`.
 ///
-/// A parameter is a length unless it is said to be an `angle` or a `number`: in that unit its line of the
-/// declaration is printed. The declared values are the first start. Parameters that are not named, and modes,
-/// are those of a machine that may be given: `free!(Press: rod, crank; of press)`.
+/// The declared values are the first start. Parameters that are not named, and modes, are those of a machine that may
+/// be given: `free!(Press: rod, crank; of press)`. A name that is no parameter is an error of rustc.
 #[macro_export]
 macro_rules! free {
-    (@unit) => { "m" };
-    (@unit length) => { "m" };
-    (@unit angle) => { "rad" };
-    (@unit number) => { "" };
-    ($machine:ident: $($parameter:ident $(: $kind:ident)?),+ $(,)?) => {
-        $crate::free!($machine: $($parameter $(: $kind)?),+; of $machine::new())
+    ($machine:ident: $($parameter:ident),+ $(,)?) => {
+        $crate::free!($machine: $($parameter),+; of $machine::new())
     };
-    ($machine:ident: $($parameter:ident $(: $kind:ident)?),+; of $declared:expr) => {{
+    ($machine:ident: $($parameter:ident),+; of $declared:expr) => {{
         let declared: $machine = $declared;
-        $crate::Design::new(
-            [$((stringify!($parameter), $crate::free!(@unit $($kind)?))),+],
-            [$(declared.$parameter),+],
-            #[allow(clippy::needless_update, reason = "all parameters may be free")]
-            move |[$($parameter),+]| $machine { $($parameter,)+ ..declared.lift() },
-            #[allow(clippy::needless_update, reason = "all parameters may be free")]
-            move |[$($parameter),+]| $machine { $($parameter,)+ ..declared },
-        )
+        $(let _: f64 = declared.$parameter;)+
+        $crate::Design::of(declared, [$(stringify!($parameter)),+])
     }};
 }

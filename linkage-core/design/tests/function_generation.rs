@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use linkage_core::mechanism;
-use linkage_design::{DesignError, Dual, free};
+use linkage_design::{Design, DesignError, Dual, free};
 
 mechanism! {
     /// A crank-rocker with a crank of 1 and a ground of 5; turned from the rocker's limit.
@@ -122,7 +122,7 @@ fn within_45_degrees<const N: usize>(m: &Freer<Dual<N>>) -> [Dual<N>; 4] {
 
 #[test]
 fn five_free_numbers_are_worth_six_times_as_much() {
-    let found = free!(Freer: crank, coupler, rocker, start: angle, zero: angle)
+    let found = free!(Freer: crank, coupler, rocker, start, zero)
         .within([0.5..=2.0, 2.0..=10.0, 1.0..=10.0, -PI..=PI, -PI..=PI])
         .aim("parabola", steps(0), |machine, turn| {
             Ok([machine.position(turn.into())?.error.angle()])
@@ -148,6 +148,9 @@ fn each_fault_has_its_error() {
     let none = free!(Generator: coupler, rocker).run().unwrap_err();
     assert_eq!(none, DesignError::NoAim);
     let aim = || free!(Generator: coupler, rocker).within([2.0..=8.0, 1.0..=6.0]);
+    let unknown = Design::of(Generator::new(), ["coupler", "lever"]).run().unwrap_err();
+    let known = ["coupler", "rocker", "most"].map(String::from).to_vec();
+    assert_eq!(unknown, DesignError::Unknown { name: "lever".to_string(), known });
     let empty = aim().within([3.0..=3.0, 1.0..=6.0]).run().unwrap_err();
     assert_eq!(empty, DesignError::Range { parameter: "coupler", from: 3.0, to: 3.0 });
 

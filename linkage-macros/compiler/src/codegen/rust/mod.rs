@@ -17,6 +17,7 @@ pub(super) mod formulas;
 mod in_rust;
 mod input_records;
 mod module;
+mod parameters;
 pub(super) mod paths;
 mod results;
 pub(super) mod root_functions;

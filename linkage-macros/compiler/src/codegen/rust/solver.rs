@@ -6,7 +6,7 @@ use quote::{ToTokens, format_ident, quote};
 use super::context::{Context, literal, numeric_params};
 use super::paths::Paths;
 use super::token_list::Tokens;
-use super::{cost_constant, module, structs};
+use super::{cost_constant, module, parameters, structs};
 use crate::codegen::identifiers::{generated, text};
 use crate::codegen::{docs, identifiers};
 use crate::interface::{force_records, labels};
@@ -16,7 +16,8 @@ use crate::syntax::anatomy::Modes;
 /// The implementations that need no solving: constants, `Default` and `lift`.
 pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
     let (constants, default, lift) = (constants(cx), default(cx), lift(cx));
-    quote!(#constants #default #lift)
+    let parameters = parameters::implementation(cx);
+    quote!(#constants #default #lift #parameters)
 }
 
 /// The struct itself.
@@ -226,8 +227,12 @@ fn default(cx: &Context<'_>) -> TokenStream {
 fn lift(cx: &Context<'_>) -> TokenStream {
     let (name, scalar, lifted) = (&cx.names.solver, &cx.names.scalar, &cx.names.lifted);
     let (any, real) = (cx.paths.item("Scalar"), cx.paths.item("Real"));
-    let number = |param: &Param| lifted_number(&cx.paths, &held(param), &quote!(#lifted));
-    let value = construct(cx.mechanism, &cx.paths, &quote!(#name), number, held);
+    let value = if numeric_params(cx.mechanism).is_empty() {
+        construct(cx.mechanism, &cx.paths, &quote!(#name), held, held)
+    } else {
+        let [trait_, number] = ["Parameters", "lifted"].map(|item| cx.paths.item(item));
+        quote!(#trait_::map(self, #number))
+    };
     quote! {
         impl<#scalar: #real> #name<#scalar> {
             /// The same solver on other numbers, the parameters without derivatives.
