@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Eighteen timed points by scipy and by linkage-design: error, evaluations, seconds.
+"""Eighteen timed points and five poses by scipy, by pylinkage and by linkage-design: error, evaluations, seconds.
 
-Run from anywhere, by a Python that has scipy: linkage-core/design/tests/against_scipy.py. Needs Cargo.
+Run from anywhere, by a Python that has scipy: linkage-core/design/tests/against_scipy.py. Needs Cargo. What pip has
+not installed is skipped by its name.
 The ten numbers of a four-bar with a coupler point are sought within the same ranges: by differential evolution, by
-least squares from random starts with differences, and by linkage-design, with exact slopes, first with all ten numbers
-free and then with place, turn and size eliminated. An evaluation is a machine at all eighteen inputs.
+least squares and SLSQP from the same random starts with differences, and by linkage-design, with exact slopes, first
+with all ten numbers free and then with place, turn and size eliminated. An evaluation is a machine at all eighteen
+inputs. The five poses are those of a hidden four-bar, which pylinkage's synthesis is asked for, too.
 """
 
 import subprocess
@@ -13,7 +15,7 @@ from pathlib import Path
 
 try:
     import numpy as np
-    from scipy.optimize import differential_evolution, least_squares
+    from scipy.optimize import differential_evolution, least_squares, minimize
 except ImportError as missing:
     raise SystemExit(f"skipped: scipy ({missing}); pip install scipy")
 
@@ -64,15 +66,46 @@ def by_scipy():
             cost, RANGES, maxiter=1000, popsize=10, tol=1e-10, seed=seed, polish=False, updating="immediate"
         )
         row(f"scipy, differential evolution, seed {seed}", found.fun, evaluations, time.time() - begun)
-    draw, best, evaluations, begun = np.random.default_rng(0), np.inf, 0, time.time()
+    missed = lambda numbers: (lambda found: np.full(36, 3.0) if found is None else found)(residuals(numbers))
+    squares = lambda numbers: (lambda found: found @ found)(missed(numbers))
+    from_starts("least squares", lambda start: least_squares(missed, start, bounds=np.array(WIDE).T, max_nfev=200))
+    from_starts("SLSQP", lambda start: minimize(squares, start, method="SLSQP", bounds=WIDE, options={"maxiter": 200}))
+
+
+def from_starts(name, search):
+    """The best end of searches from random starts, which are the same for every method."""
+    global evaluations
+    draw, best, evaluations, begun, starts = np.random.default_rng(0), np.inf, 0, time.time(), 0
     while time.time() - begun < SECONDS:
         start = np.array([draw.uniform(*ends) for ends in RANGES])
-        if cost(start) >= 10:
-            continue
-        missed = lambda numbers: (lambda found: np.full(36, 3.0) if found is None else found)(residuals(numbers))
-        found = least_squares(missed, start, bounds=np.array(WIDE).T, max_nfev=200)
-        best = min(best, cost(found.x))
-    row("scipy, least squares with differences", best, evaluations, time.time() - begun)
+        if cost(start) < 10:
+            best, starts = min(best, cost(search(start).x)), starts + 1
+    row(f"scipy, {name} with differences, {starts} starts", best, evaluations, time.time() - begun)
+
+
+def by_pylinkage():
+    try:
+        from pylinkage.synthesis import Pose, motion_generation
+    except ImportError as missing:
+        return print(f"skipped: pylinkage ({missing}); pip install pylinkage")
+    begun = time.time()
+    poses = [Pose(*pose) for pose in hidden_poses()]
+    found = motion_generation(poses, max_solutions=None, require_grashof=False).solutions
+    seconds = time.time() - begun
+    print(f"{'pylinkage, five poses of a hidden four-bar':44} {len(found):>3} solutions {'':11} {seconds:8.2f}")
+
+
+def hidden_poses():
+    """Where the coupler of a four-bar is at five angles of its crank: x, y and its turn."""
+    a, b, c, d, px, py, x, y, tilt = 1.0, 2.6, 2.2, 3.0, 1.4, 0.9, 0.3, -0.2, 0.2
+    for k in range(5):
+        crank = a * np.exp(1j * (0.4 + 0.55 * k))
+        line = d - crank
+        length = abs(line)
+        cos = (b * b - c * c + length**2) / (2 * b * length)
+        coupler = line / length * (cos + 1j * np.sqrt(1 - cos * cos))
+        point = x + 1j * y + np.exp(1j * tilt) * (crank + (px + 1j * py) * coupler)
+        yield point.real, point.imag, float(np.angle(coupler * np.exp(1j * tilt)) + 0.3)
 
 
 def by_design():
@@ -89,4 +122,5 @@ def by_design():
 
 print(f"{'':44} {'error':>12} {'evaluations':>12} {'seconds':>8}")
 by_scipy()
+by_pylinkage()
 by_design()
