@@ -97,26 +97,6 @@ mechanism! {
 }
 
 mechanism! {
-    /// A six-bar by ratios of rates, instant centres and transmission angles.
-    pub struct RatedSixBar {
-        input theta: angle;
-        param coupler = 250mm;
-
-        ground A(0, 0), D(300mm, 125mm);
-
-        crank AB(A) -> B        { length: 100mm, angle: theta }
-        rrr   BC(B), DC(D) -> C { lengths: (coupler, 200mm), mode: left }
-        point P on BC at (150mm, 50mm);
-        point Q on DC at (50mm, -20mm);
-        rrr   PE(P), QE(Q) -> E { lengths: (300mm, 200mm), mode: right }
-
-        output gain = rate(E.x) / rate(DC.angle), travel = abs(rate(P.x) / rate(theta)), I = pole(BC);
-        output K = pole(QE, BC), DC.transmission, QE.transmission;
-        export c;
-    }
-}
-
-mechanism! {
     /// A pin between a guide on the crank and a fixed one.
     pub struct CrossedGuides {
         input theta: angle;

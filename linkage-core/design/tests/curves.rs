@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
+use linkage_core::num_dual::DualNum;
 use linkage_core::{Direction, Side, mechanism};
 use linkage_design::{Counts, DesignError, Found, Pose, Verdict, free, placement};
 
