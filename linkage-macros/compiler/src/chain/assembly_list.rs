@@ -4,7 +4,8 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outcome {
     Proved,
-    /// Between two angles from the drawing there may be two assemblies, or none: they are next to each other, or have one unknown.
+    /// The first angles from the drawing between which nothing is told: two assemblies are next to each other there, or have one
+    /// unknown, or nearly meet. Behind them the list may end.
     Open {
         from: f64,
         to: f64,

@@ -1,6 +1,7 @@
 //! The numbers by which closures are computed.
 
 use super::super::chebyshev::{Nodes, ZerosFound};
+use super::super::circle::{CircleOrigin, OnCircle, zeros};
 use super::super::disc::Disc;
 use super::super::tower::{PRIME, Tower, product, reciprocal};
 use super::*;
@@ -115,7 +116,54 @@ fn polynomials_tell_their_zeros() {
         // Not known well enough: at an end, or everywhere.
         assert_eq!(told(1e-3, &|x| 1.0 + x - 3e-3), ZerosFound::Unknown);
         assert_eq!(told(1.0, &|x| x), ZerosFound::Unknown);
+        // A zero at an end is one of two pieces, or of none.
+        assert_eq!(told(0.0, &|x| 1.0 + x), ZerosFound::Unknown);
+        assert_eq!(told(0.0, &|x| x - 1.0), ZerosFound::Unknown);
         assert_eq!(told(f64::INFINITY, &|x| x), ZerosFound::Unknown);
         assert_eq!(told(0.0, &|_| f64::NAN), ZerosFound::Unknown);
+    }
+}
+
+/// A trigonometric polynomial of degree two with known zeros: the product of the sines of half the angles from these.
+struct Sines([f64; 4]);
+
+impl OnCircle for Sines {
+    fn value(&self, turn: Disc) -> Disc {
+        // Each product of two sines of halves is of degree one.
+        let factor = |[a, b]: [f64; 2]| {
+            let middle = Complex::turned(-(a + b) / 2.0);
+            let turned = turn.times(Disc::exact(middle.x, middle.y));
+            let cosine = Disc { y: 0.0, ..turned };
+            Disc::exact(((a - b) / 2.0).cos(), 0.0).minus(cosine)
+        };
+        let [a, b, c, d] = self.0;
+        factor([a, b]).times(factor([c, d]))
+    }
+
+    fn has_none(&self, _: f64, _: f64) -> bool {
+        false
+    }
+}
+
+/// All zeros around the circle are found once, wherever it is divided, in ascending order but for the first turn; a small budget ends
+/// the search, and a double zero is open where it is.
+#[test]
+fn zeros_around_the_circle_are_found_once() {
+    let wanted = [-3.0, -0.4, 0.9, 2.7];
+    for tangent in [0.0, 0.187_5, -0.6, 1.3] {
+        let origin = CircleOrigin { tangent };
+        let mut found = Vec::new();
+        let outcome = zeros(&Sines(wanted), (2, origin), 400, |ends| found.push(ends));
+        assert_eq!((outcome, found.len()), (Outcome::Proved, 4), "{tangent}");
+        found.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        for (ends, wanted) in found.iter().zip(wanted) {
+            assert!(ends[0] - 1e-12 <= wanted && wanted <= ends[1] + 1e-12, "{ends:?} {wanted}");
+            assert!(ends[1] - ends[0] < 1e-9);
+        }
+        let ended = zeros(&Sines(wanted), (2, origin), 6, |_| {});
+        assert_eq!(ended, Outcome::OutOfBudget);
+        let double = zeros(&Sines([-2.0, 0.5, 0.5, 2.0]), (2, origin), 4000, |_| {});
+        let Outcome::Open { from, to } = double else { panic!("{double:?}") };
+        assert!((from - 0.5).abs() < 1e-5 && (to - 0.5).abs() < 1e-5 && from < to, "{double:?}");
     }
 }
