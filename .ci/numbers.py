@@ -12,10 +12,12 @@ A line of .ci/numbers.txt has five fields between `|||`:
 The pattern is a regular expression for the command's output, with a group for each number; its last match counts. The
 allowance is a share of the page's number, or a number with `+-` in front of it. The words must stand on the page, so
 that nobody changes one and forgets the other, and so must the command. `$SHEAR` is a file with the README's machine.
+A command that ends with 77 cannot be run on this machine. Its rows are left out, and said to be.
 """
 import os, re, subprocess, sys, tempfile
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+CANNOT_BE_RUN = 77
 NUMBER = r"([-+−]?[0-9][0-9.,]*(?:e[-+]?[0-9]+)?)"
 
 
@@ -63,24 +65,35 @@ def output(command, path, seen):
     return seen[command]
 
 
-def fault(row, path, seen):
+def judged(row, path, seen):
+    """`right`, `wrong` or `left out`, and why."""
     page, words, command, pattern, allowance = row
     wanted = printed(page, words)
     if not wanted:
-        return f"{page} does not say `{words}`"
+        return "wrong", f"{page} does not say `{words}`"
     status, text = output(command, path, seen)
+    if status == CANNOT_BE_RUN:
+        return "left out", command
     matches = re.findall(pattern, text)
     if not matches:
-        return f"`{command}` ends with {status} and prints nothing that matches `{pattern}`"
+        last = "\n".join("  " + line for line in text.splitlines()[-20:])
+        return "wrong", f"`{command}` ends with {status} and prints nothing that matches `{pattern}`:\n{last}"
     found = matches[-1] if isinstance(matches[-1], tuple) else (matches[-1],)
     found = [value(number) for number in found]
     if len(found) != len(wanted):
-        return f"{len(found)} numbers of `{pattern}` for {len(wanted)} of the page"
+        return "wrong", f"{len(found)} numbers of `{pattern}` for {len(wanted)} of the page"
     for there, here in zip(wanted, found):
         by = float(allowance[2:]) if allowance.startswith("+-") else float(allowance) * abs(there)
         if not abs(here - there) <= by:
-            return f"{page} says {there:g}, `{command}` prints {here:g}"
-    return None
+            return "wrong", f"{page} says {there:g}, `{command}` prints {here:g}"
+    return "right", words
+
+
+def leave_out(commands):
+    """Tells CI what a missing tool leaves out."""
+    if commands and "LINKAGE_SKIPS" in os.environ:
+        with open(os.environ["LINKAGE_SKIPS"], "a", encoding="utf-8") as file:
+            file.writelines(f"numbers: cannot be run here: {command}\n" for command in sorted(commands))
 
 
 def main():
@@ -91,10 +104,11 @@ def main():
         return
     with tempfile.TemporaryDirectory() as folder:
         path, seen = shear(folder), {}
-        faults = [fault(row, path, seen) for row in chosen]
-    for row, text in zip(chosen, faults):
-        print(f"{'wrong' if text else 'right'}: {text or row[1]}")
-    sys.exit(any(faults))
+        verdicts = [judged(row, path, seen) for row in chosen]
+    for verdict, text in verdicts:
+        print(f"{verdict}: {text}")
+    leave_out({text for verdict, text in verdicts if verdict == "left out"})
+    sys.exit(any(verdict == "wrong" for verdict, _ in verdicts))
 
 
 if __name__ == "__main__":

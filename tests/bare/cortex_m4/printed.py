@@ -7,10 +7,13 @@ Optional; needs arm-none-eabi-gcc with newlib, and qemu-system-arm. Debian has t
 libnewlib-arm-none-eabi, qemu-system-arm. The program `linkage` is the argument:
 
     tests/bare/cortex_m4/printed.py target/debug/linkage
+
+Without these tools it ends with 77.
 """
 
 import bisect
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -97,7 +100,16 @@ def alone(folder):
     return int(told.splitlines()[1].split()[0])
 
 
+def tools():
+    """Ends the program where it cannot be run."""
+    missing = [name for name in ("arm-none-eabi-gcc", "qemu-system-arm") if not shutil.which(name)]
+    if missing:
+        print(f"left out: no {' and no '.join(missing)}", file=sys.stderr)
+        raise SystemExit(77)
+
+
 def main():
+    tools()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "shear.rs").write_text(declaration())

@@ -6,6 +6,8 @@ latter: the packages rust-src and qemu-system-arm. Where the toolchain has no so
 give the directory `library` of them; they should be as old as the toolchain:
 
     tests/bare/cortex_m4/run.py [LIBRARY]
+
+It ends with 77 where what Rust's sources are built from cannot be had: their packages come from crates.io.
 """
 
 import os
@@ -20,9 +22,21 @@ WORK = ROOT / "target/cortex_m4"
 TARGET = "thumbv7em-none-eabihf"
 
 
+CANNOT_BE_RUN = 77
+
+
 def cargo(*arguments, **environment):
     subprocess.run(["cargo", "+nightly", *arguments], cwd=WORK, check=True,
                    env=os.environ | environment)
+
+
+def fetch(**environment):
+    """The packages that `core` is built from. Cargo resolves those of the whole standard library."""
+    try:
+        cargo("fetch", "--quiet", "-Zbuild-std=core", "--target", TARGET, **environment)
+    except (OSError, subprocess.CalledProcessError):
+        print("left out: no nightly toolchain, no sources of Rust, or not the packages that are needed", file=sys.stderr)
+        raise SystemExit(CANNOT_BE_RUN)
 
 
 def main():
@@ -32,6 +46,7 @@ def main():
     shutil.copy(ROOT / "Cargo.lock", WORK)
     # Cargo's own tests give it sources by this variable; there is no public way.
     sources = {"__CARGO_TESTS_ONLY_SRC_ROOT": sys.argv[1]} if len(sys.argv) > 1 else {}
+    fetch(**sources)
     script = f"-C link-arg=-T{HERE / 'memory.x'}"
     cargo("build", "--quiet", "--release", "-Zbuild-std=core", "--target", TARGET,
           RUSTFLAGS=script, **sources)

@@ -7,6 +7,8 @@ Without `double` no object may ask for software double, and no number may be lar
 arm-none-eabi-gcc with newlib, and qemu-system-arm. The program `linkage` is the argument:
 
     tests/bare/cortex_m4/worst_case.py target/debug/linkage
+
+Without these tools it ends with 77.
 """
 
 import re
@@ -115,6 +117,7 @@ def asked_for(folder, flags):
 
 
 def main():
+    printed.tools()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "shear.rs").write_text(printed.declaration())
