@@ -133,6 +133,8 @@ pub mod figures {
     //! A figure for each statement, every place in it computed by a solver: frames, dimensions,
     //! and the other mode, dotted. The letters are explained with the [statements](super::statements).
     //!
+    //! <style>svg.auto { max-width: 100%; height: auto; }</style>
+    //!
     //! # Drivers
     //! <div>
     #![doc = include_str!("figures/crank.svg")]

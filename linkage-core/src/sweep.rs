@@ -113,8 +113,9 @@ pub trait Entry<K, T: Float, const IN: usize, const OUT: usize>: Copy {
     }
 }
 
-/// Empty slices, one a field, for the unwanted outputs of a sweep. They fill the fields behind the wanted
-/// ones:
+/// Empty slices, one a field, for the unwanted outputs of a sweep.
+///
+/// They fill the fields behind the wanted ones:
 ///
 /// ```
 /// # use linkage_core::{Point, mechanism, unwanted};

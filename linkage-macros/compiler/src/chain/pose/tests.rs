@@ -200,3 +200,21 @@ fn dyads_with_slides_are_closed_beside_the_drawing() {
         is_closed_beside_its_drawing(name, &machine, 1);
     }
 }
+
+/// Links of given angle between two bars are carried without being turned: one, two behind each other, and one that keeps
+/// its angle to a rocker.
+#[test]
+fn links_that_bars_carry_are_closed_beside_the_drawing() {
+    let places = [[0.0, 0.0], [3.1, 0.2], [0.5, 1.1], [2.2, 1.4]];
+    let mut plate = machine(&places, &[&[0, 1], &[0, 2], &[2, 3], &[3, 1]]);
+    plate.drives.push(driving(Driven::Angle, [2, GROUND]));
+    let longer = [&places[..], &[[2.9, 2.3]]].concat();
+    let mut plates = machine(&longer, &[&[0, 1], &[0, 2], &[2, 3], &[3, 4], &[4, 1]]);
+    plates.drives = [2, 3].map(|link| driving(Driven::Angle, [link, GROUND])).into();
+    let far = [&places[..], &[[4.4, 0.1]]].concat();
+    let mut level = machine(&far, &[&[0, 1, 4], &[0, 2], &[2, 3], &[3, 1], &[4]]);
+    level.drives = [[4, GROUND], [2, 4]].map(|ends| driving(Driven::Angle, ends)).into();
+    for (name, machine) in [("a plate", plate), ("two plates", plates), ("a level", level)] {
+        is_closed_beside_its_drawing(name, &machine, 1);
+    }
+}

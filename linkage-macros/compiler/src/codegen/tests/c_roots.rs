@@ -13,11 +13,11 @@ use linkage_core::private::{Checks, FirstError, Nonzero, root, root_within_a_tur
 use linkage_core::{Real, Scalar, SolveError};
 
 use super::c_program::Program;
-use super::c_run_time::{Call, EntryOutputs, Random, compare};
+use super::c_run_time::{Call, EntryOutputs, Random, answers, compare};
 
 /// The first of the functions in C that search: rising, falling, both from a seed, the same of an angle that is asked for
 /// a turn, and all of them where something has failed before, and where an unknown was to blame before; then one whose
-/// slope is known to have one sign.
+/// slope is known to have one sign; and that one with the number of its evaluations in place of the size.
 const FIRST: i32 = 40;
 
 fn number<T: Scalar>(x: f64) -> T {
@@ -204,6 +204,46 @@ fn steady_roots_agree(programs: &[Program], count: usize) {
     }
 }
 
+/// The equation's value and slope at both ends, its trend being the way.
+fn ends<T: Real>(call: &Call, way: f64) -> [[f64; 2]; 2] {
+    let [from, to, own @ ..] = call.x.map(number::<T>);
+    [from, to].map(|x| {
+        let [left, right, slope] = sides(own, x);
+        [way * (left - right).value(), way * slope.value()]
+    })
+}
+
+/// Where both ends say that such an equation rises on one side of zero, nothing but the ends is asked. Anywhere else a
+/// refusal is decided by more than them.
+fn steady_refusals_ask_the_ends_alone(programs: &[Program], count: usize) {
+    let mut random = Random(41);
+    for (is_single, which) in [(false, 96), (false, 97), (true, 96), (true, 97)] {
+        let call = |_| Call {
+            which: FIRST + which,
+            is_single,
+            x: steady_equation(&mut random, is_single),
+        };
+        let calls: Vec<Call> = (0..count).map(call).collect();
+        let way = if which & 1 == 0 { 1.0 } else { -1.0 };
+        for program in programs {
+            let (mut by_ends, mut by_more) = (0, 0);
+            for (call, answer) in calls.iter().zip(answers(program, &calls)) {
+                if answer[0] != 8.0 {
+                    continue;
+                }
+                let [[a, slope_a], [b, slope_b]] = match is_single {
+                    false => ends::<f64>(call, way),
+                    true => ends::<f32>(call, way),
+                };
+                let rises = b > a && ((a > 0.0 && slope_a >= 0.0) || (b < 0.0 && slope_b >= 0.0));
+                assert_eq!(answer[3] == 2.0, rises, "{call:?}: {answer:?}");
+                *if rises { &mut by_ends } else { &mut by_more } += 1;
+            }
+            assert!(by_ends > count / 20 && by_more > count / 20, "{by_ends}, {by_more}");
+        }
+    }
+}
+
 /// A sum that falls through zero at a sample of value zero, with holes between that and the samples beside it: the
 /// sample says all, and nothing is asked beside it.
 const FALLS_AT_A_SAMPLE: [f64; 9] = [-0.375, 0.625, 0.25, -0.75, -0.25, 1.4375, 0.0, 1.0, 9.0];
@@ -223,6 +263,7 @@ fn planted_agree(programs: &[Program]) {
 pub(super) fn roots_agree(programs: &[Program], count: usize) {
     planted_agree(programs);
     steady_roots_agree(programs, count);
+    steady_refusals_ask_the_ends_alone(programs, count);
     let mut random = Random(23);
     for is_single in [false, true] {
         let mut statuses = BTreeMap::new();

@@ -88,7 +88,7 @@ fn program(compiler: &str, name: &str, flags: &[&str]) -> Option<Program> {
 }
 
 /// The answers of a program to calls.
-fn answers(program: &Program, calls: &[Call]) -> Vec<EntryOutputs> {
+pub(super) fn answers(program: &Program, calls: &[Call]) -> Vec<EntryOutputs> {
     let mut bytes = Vec::new();
     for call in calls {
         bytes.extend(call.which.to_ne_bytes());

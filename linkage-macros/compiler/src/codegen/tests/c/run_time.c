@@ -103,6 +103,9 @@ static double blamed(const LinkageWhy *why)
     return strcmp(why->name, "ends of between") == 0 ? -4.0 : strcmp(why->name, "width of between") == 0 ? -5.0 : 0.0;
 }
 
+/* How often an equation was evaluated. */
+static int trials = 0;
+
 /* A sum of Chebyshev's polynomials, or what the kind makes of it: level, five coefficients, and the kind. */
 #define SIDES_OF_WIDTH(width, number)                                                                               \
     static void number##_sides(const number *c, number x, number *sides)                                            \
@@ -112,6 +115,7 @@ static double blamed(const LinkageWhy *why)
             + c[4] * (8 * square * (square - one) + one) + c[5] * ((16 * square - 20) * square + 5) * x;            \
         const number slope = c[1] + c[2] * 4 * x + c[3] * (12 * square - 3) + c[4] * (32 * square - 16) * x         \
             + c[5] * ((80 * square - 60) * square + 5);                                                             \
+        trials++;                                                                                                   \
         sides[0] = sum;                                                                                             \
         sides[1] = c[0];                                                                                            \
         sides[2] = slope;                                                                                           \
@@ -171,11 +175,12 @@ static double blamed(const LinkageWhy *why)
         if ((which & 16) != 0) {                                                                                    \
             why.otherwise = "earlier";                                                                              \
         }                                                                                                           \
+        trials = 0;                                                                                                 \
         is_found = linkage_root##width(&why, "x", &between, number##_sides, given, found);                          \
         to->status = why.status == LINKAGE_OK && why.otherwise != NULL ? LINKAGE_NOT_FINITE : why.status;           \
         to->by = why.by;                                                                                            \
         to->y[0] = (double)found[0];                                                                                \
-        to->y[1] = is_found ? (double)found[1] : blamed(&why);                                                      \
+        to->y[1] = (which & 64) != 0 ? (double)trials : is_found ? (double)found[1] : blamed(&why);                 \
     }
 SIDES_OF_WIDTH(, double)
 SIDES_OF_WIDTH(f, float)
