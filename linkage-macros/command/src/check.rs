@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::path::PathBuf;
 
-use linkage_compiler::{Diagnostic, Options, compile};
+use linkage_compiler::{Diagnostic, Level, Options, compile};
 use serde_json::{Value, json};
 
 use crate::arguments::Check;
@@ -26,11 +26,14 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
     for (program, declaration) in &all {
         let output = compile(declaration.tokens.clone(), &Options::default());
         let mut found = [output.diagnostics, output.notes].concat();
-        // A mistake that all sets of inputs share is told once.
+        // What all sets of inputs share is told once, and of what they find at one place the first mistake.
         let path = &program.path;
-        found.retain(|one| {
-            told.insert((path.clone(), format!("{:?} {one:?}", one.first.byte_range())))
-        });
+        let place = |one: &Diagnostic| {
+            let what = if one.level == Level::Mistake { String::new() } else { format!("{one:?}") };
+            (path.clone(), [one.first, one.last].map(|span| span.byte_range()), what)
+        };
+        found.retain(|one| !told.contains(&place(one)));
+        told.extend(found.iter().map(place));
         if arguments.json {
             let told = found.iter().map(|one| value(one, &program.place(declaration, one)));
             values.push(json!({

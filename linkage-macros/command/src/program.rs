@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use linkage_compiler::{Diagnostic, by_set, declarations, machine_and_set, solver_name};
+use linkage_compiler::{
+    Diagnostic, by_set, declarations, machine_and_set, solver_name, unbalanced,
+};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
 use crate::arguments::Chosen;
@@ -94,8 +96,16 @@ impl Program {
     fn found(&self) -> Result<Vec<Declaration>, Failure> {
         let tokens: TokenStream = self.text.parse().map_err(|error: proc_macro2::LexError| {
             let at = error.span().start();
-            let place = format!("{}:{}:{}", self.path.display(), at.line, at.column + 1);
-            Failure::Unusable(format!("{place}: this is not a Rust program: {error}"))
+            let (line, column, why) = match unbalanced(&self.text) {
+                Some((bracket, why)) => {
+                    let before = &self.text[..bracket.start];
+                    let line = before.rsplit('\n').next().unwrap_or(before);
+                    (before.matches('\n').count() + 1, line.chars().count(), why)
+                }
+                None => (at.line, at.column, error.to_string()),
+            };
+            let place = format!("{}:{line}:{}", self.path.display(), column + 1);
+            Failure::Unusable(format!("{place}: this is not a Rust program: {why}"))
         })?;
         let mut found = declarations(tokens.clone());
         if found.is_empty() && is_declaration(&tokens) {

@@ -16,6 +16,7 @@
 //! |---|---|---|
 //! | `pipeline` | START HERE: the phases in order | |
 //! | `blocks` | finds the declarations in a program | |
+//! | `brackets` | which bracket is at fault where a text is no sequence of tokens | |
 //! | `diagnostics` | collects mistakes, stops at the barriers | |
 //! | `function` | the functions that expressions call, a row each | compute |
 //! | `exact` | real constants without error, rounded once | |
@@ -59,6 +60,7 @@
 extern crate proc_macro;
 
 mod blocks;
+mod brackets;
 mod chain;
 mod codegen;
 mod diagnostics;
@@ -88,6 +90,7 @@ mod syntax;
 mod written_places;
 
 pub use blocks::{by_set, declarations, machine_and_set, solver_name};
+pub use brackets::unbalanced;
 pub use codegen::drawn_plan::{PlanMember, PlanParts, PlanSpring, PlanStatement};
 pub use codegen::script::page::PageParts;
 pub use diagnostics::{Diagnostic, Level};

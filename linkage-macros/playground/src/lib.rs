@@ -10,11 +10,14 @@ mod converted;
 #[expect(dead_code, reason = "the program compares archives as well")]
 mod zip;
 
+use std::ops::Range;
+
 use linkage_compiler::{
     Diagnostic, Level, PageParts, WrittenPlace, by_set, declarations, machine_and_set, places,
+    unbalanced,
 };
 use linkage_core::sketch::{Declared, Machine, Wishes, html_of_sets};
-use proc_macro2::{LexError, Span, TokenStream};
+use proc_macro2::{LexError, TokenStream};
 use serde_json::{Value, json};
 
 /// The mistakes and notes of a text, and its page where it has none.
@@ -104,13 +107,16 @@ fn first_machine(tokens: TokenStream) -> Vec<TokenStream> {
     sets
 }
 
-/// The pages' texts of all sets.
+/// The pages' texts of all sets. Of what sets find at one place the first mistake is told.
 fn parts_of(sets: &[TokenStream]) -> Result<Vec<PageParts>, Vec<Diagnostic>> {
     let (mut parts, mut mistakes) = (Vec::new(), Vec::new());
     for set in sets {
         match linkage_compiler::page(set.clone()) {
             Ok(own) => parts.push(own),
-            Err(own) => mistakes.extend(own),
+            Err(mut own) => {
+                own.retain(|one| !mistakes.iter().any(|other: &Diagnostic| other.is_at(one)));
+                mistakes.extend(own);
+            }
         }
     }
     if mistakes.is_empty() { Ok(parts) } else { Err(mistakes) }
@@ -174,8 +180,10 @@ fn all(text: &str, sets: &[TokenStream]) -> Vec<u8> {
 }
 
 fn unreadable(text: &str, error: &LexError) -> Value {
-    let message = "a bracket or a text is not closed, or closed twice";
-    json!({ "messages": [told(text, message, None, "error", [error.span(); 2])] })
+    let (at, message) = unbalanced(text).unwrap_or_else(|| {
+        (error.span().byte_range(), "a text or a comment is not closed".to_string())
+    });
+    json!({ "messages": [told(text, &message, None, "error", at)] })
 }
 
 fn checked(text: &str, sets: &[TokenStream]) -> Value {
@@ -230,14 +238,14 @@ fn message(text: &str, found: &Diagnostic) -> Value {
         Level::Mistake => "error",
         Level::Note => "note",
     };
-    told(text, &found.message, found.note.as_deref(), level, [found.first, found.last])
+    let [first, last] = [found.first, found.last].map(|span| span.byte_range());
+    told(text, &found.message, found.note.as_deref(), level, first.start..last.end)
 }
 
 /// A message, and the letters of the text from which to which it is about, counted as JavaScript counts them. What is
 /// about a whole declaration has no letters.
-fn told(text: &str, message: &str, help: Option<&str>, level: &str, at: [Span; 2]) -> Value {
-    let [first, last] = at.map(|span| span.byte_range());
-    let (from, to) = (letters(text, first.start), letters(text, last.end.max(first.end)));
+fn told(text: &str, message: &str, help: Option<&str>, level: &str, at: Range<usize>) -> Value {
+    let [from, to] = [at.start, at.end].map(|at| letters(text, at));
     json!({ "message": message, "help": help, "level": level, "from": from, "to": to.max(from) })
 }
 

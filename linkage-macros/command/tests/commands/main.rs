@@ -53,6 +53,7 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn the_exit_status_tells_a_mistake_from_a_file_that_is_none() {
     let mistaken = SHEAR.replace("80mm", "80kg");
+    let open = SHEAR.replace("(665.7mm, 0)", "(665.7mm, 0");
     let folder = folder(
         "status",
         &[
@@ -60,6 +61,7 @@ fn the_exit_status_tells_a_mistake_from_a_file_that_is_none() {
             ("mistaken.rs", &mistaken),
             ("empty.rs", "fn main() {}"),
             ("no.rs", "("),
+            ("open.rs", &open),
         ],
     );
     for (arguments, status, words) in [
@@ -67,7 +69,8 @@ fn the_exit_status_tells_a_mistake_from_a_file_that_is_none() {
         (&["check", "shear.rs", "mistaken.rs"], 1, " --> mistaken.rs:8:36"),
         (&["check", "mistaken.rs", "none.rs"], 2, "`none.rs`: "),
         (&["check", "empty.rs"], 2, "holds no `mechanism! { … }`"),
-        (&["check", "no.rs"], 2, "no.rs:1:1: this is not a Rust program"),
+        (&["check", "no.rs"], 2, "no.rs:1:1: this is not a Rust program: `(` is not closed"),
+        (&["check", "open.rs"], 2, "open.rs:7:26: this is not a Rust program: `(` is not closed"),
         (&["check", "none.rs"], 2, "`none.rs`: "),
         (&["check"], 2, "<FILE>"),
         (&["chekc", "shear.rs"], 2, "'check'"),

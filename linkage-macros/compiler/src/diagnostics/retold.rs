@@ -8,6 +8,14 @@ impl Diagnostic {
         place(self.first) == place(other.first) && self.text() == other.text()
     }
 
+    /// True if it is about the same tokens as another.
+    #[must_use]
+    pub fn is_at(&self, other: &Self) -> bool {
+        [(self.first, other.first), (self.last, other.last)]
+            .iter()
+            .all(|(a, b)| place(*a) == place(*b))
+    }
+
     /// True if it begins among these tokens.
     pub(crate) fn is_within(&self, tokens: Extent) -> bool {
         (place(tokens.first)..=place(tokens.last)).contains(&place(self.first))

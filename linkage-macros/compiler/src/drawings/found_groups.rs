@@ -26,12 +26,15 @@ fn a_picture_has_the_words_of_the_author_alone() {
 
 /// Constants beside parameters have the units of their places.
 #[test]
-fn constants_in_products_keep_their_units() {
+fn constants_keep_their_units() {
     let machine = mechanism(
         "pub struct M { input t: angle; param h = 30mm; ground A(0, 0), D(300mm, 0);
          pin B(0, 80mm), C(280mm, 150mm);
          link AB(A, B); link BC(B, C) { length: 228mm + hypot(h, 20mm) * (50mm / h) };
          link DC(D, C) { length: hypot(h, 133mm) + 0.5 * h };
+         pin F(450mm, 200mm); ground G(600mm, 0);
+         link CF(C, F) { length: sqrt(h * h + 0.0307(m^2)) }
+         link GF(G, F) { length: 0.0075(m^2) / h };
          drive AB.angle = t * (h / 30mm) + 0.1; }",
     );
     let docs = machine::documentation(&machine);
@@ -39,6 +42,8 @@ fn constants_in_products_keep_their_units() {
         "angle: t * (h / 30mm) + 0.1",
         "228mm + (hypot(h, 20mm) * (50mm / h))",
         "hypot(h, 133mm) + (0.5 * h)",
+        "sqrt(h * h + 0.0307(m^2))",
+        "0.0075(m^2) / h",
     ] {
         assert!(docs.contains(printed), "{printed} in {docs}");
     }

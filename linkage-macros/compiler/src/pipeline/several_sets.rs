@@ -51,7 +51,8 @@ pub(super) fn compile(
     Output { tokens, diagnostics, notes }
 }
 
-/// The meanings of all sets. A mistake that is found with each is told once, and another names its set.
+/// The meanings of all sets. Of the mistakes that they find at one place the first is told, and it names its set where
+/// another set finds none there.
 fn resolved_all(
     drivings: &[DrivenBySet],
     diagnostics: &mut Diagnostics,
@@ -62,9 +63,12 @@ fn resolved_all(
         (resolved, diagnostics.take_since(before))
     });
     let (resolved, found): (Vec<_>, Vec<_>) = resolved.unzip();
-    for (driving, own) in drivings.iter().zip(&found) {
-        let told = own.iter().map(|mistake| {
-            let is_of_all = found.iter().all(|other| other.iter().any(|other| other.is(mistake)));
+    for (nth, (driving, own)) in drivings.iter().zip(&found).enumerate() {
+        let before = || found[..nth].iter().flatten();
+        let is_new = |mistake: &&Diagnostic| !before().any(|other| other.is_at(mistake));
+        let told = own.iter().filter(is_new).map(|mistake| {
+            let is_of_all =
+                found.iter().all(|other| other.iter().any(|other| other.is_at(mistake)));
             if is_of_all { mistake.clone() } else { where_driven(mistake, driving) }
         });
         diagnostics.add_new(told.collect());

@@ -8,6 +8,10 @@ use super::tree::{Expr, InputSetStatement, InputStatement, SetCoordinate, Statem
 impl Parser<'_> {
     /// `input s, x: length;` or `input a = AB.angle, x = tool.x;`
     pub(super) fn input(&mut self) -> Parse<StatementKind> {
+        if self.is_group(0, Delimiter::Brace) {
+            let reason = "a set of inputs has a name: `input motors { … }`";
+            return self.expected_because("the name of an input", reason);
+        }
         let mut names = vec![self.new_name("an input")?];
         if let Some(braces) = self.take_group(Delimiter::Brace) {
             let coordinates = self.coordinates_of_a_set(&names[0], &braces);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use proc_macro2::Ident;
 
-use super::powers_of_lengths::{DeclaredUnit, power, unit_of_arguments, units_of_factors};
+use super::powers_of_lengths::{DeclaredUnit, unit_of_arguments, units_of_operands};
 use crate::exact::Exact;
 use crate::model::mechanism::{
     Axis, GuideId, InputId, LinkId, Mechanism, Operator, ParamId, PointId, Scalar,
@@ -19,6 +19,7 @@ pub(super) fn constant(value: &Exact, unit: DeclaredUnit) -> String {
             None => format!("({})", formula(value).unwrap_or_else(|| float(value))),
         },
         DeclaredUnit::Length => length(value),
+        DeclaredUnit::Power(power) => in_unit(value, &format!("(m^{power})")),
         DeclaredUnit::Angle => {
             let degrees = Exact::pi().div(&Exact::integer(180)).and_then(|one| value.div(&one));
             match (degrees.as_ref().and_then(decimal), formula(value)) {
@@ -35,6 +36,10 @@ fn length(value: &Exact) -> String {
     let millimetres = value.mul(&Exact::integer(1000));
     let (number, unit) =
         if value.to_f64().abs() < 1.0 { (&millimetres, "mm") } else { (value, "m") };
+    in_unit(number, unit)
+}
+
+fn in_unit(number: &Exact, unit: &str) -> String {
     match (decimal(number), formula(number)) {
         (Some(number), _) => format!("{number}{unit}"),
         (None, Some(number)) => format!("({number}) * 1{unit}"),
@@ -106,15 +111,7 @@ impl Declared<'_> {
     /// Operations, each on what the one before has made.
     fn chain(&mut self, first: &Scalar, rest: &[(Operator, Scalar)], unit: DeclaredUnit) -> String {
         let is_product = |sign| matches!(sign, Operator::Mul | Operator::Div);
-        let units = if rest.iter().all(|(sign, _)| is_product(*sign)) {
-            units_of_factors(self.mechanism, first, rest, unit)
-        } else if rest.iter().any(|(sign, _)| is_product(*sign)) {
-            vec![DeclaredUnit::Bare; rest.len() + 1]
-        } else {
-            let known = [first].into_iter().chain(rest.iter().map(|(_, operand)| operand));
-            let is_length = known.into_iter().find_map(|one| power(self.mechanism, one)) == Some(1);
-            vec![if is_length { DeclaredUnit::Length } else { unit }; rest.len() + 1]
-        };
+        let units = units_of_operands(self.mechanism, first, rest, unit);
         let mut text = self.operand(first, units[0]);
         for (index, (operator, operand)) in rest.iter().enumerate() {
             if is_product(*operator) && rest[..index].iter().any(|(sign, _)| !is_product(*sign)) {

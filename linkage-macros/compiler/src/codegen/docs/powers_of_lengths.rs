@@ -9,6 +9,8 @@ use crate::model::mechanism::{Mechanism, Operator, ParamKind, Scalar};
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum DeclaredUnit {
     Length,
+    /// A power of metres, two or higher.
+    Power(i32),
     Angle,
     /// Metres or radians, or no unit at all.
     Bare,
@@ -16,11 +18,19 @@ pub(super) enum DeclaredUnit {
 
 impl DeclaredUnit {
     const fn power(self) -> i32 {
-        matches!(self, Self::Length) as i32
+        match self {
+            Self::Length => 1,
+            Self::Power(power) => power,
+            Self::Angle | Self::Bare => 0,
+        }
     }
 
-    const fn of_power(power: i32) -> Self {
-        if power == 1 { Self::Length } else { Self::Bare }
+    pub(super) const fn of_power(power: i32) -> Self {
+        match power {
+            1 => Self::Length,
+            2.. => Self::Power(power),
+            _ => Self::Bare,
+        }
     }
 }
 
@@ -41,13 +51,7 @@ pub(super) fn power(mechanism: &Mechanism, value: &Scalar) -> Option<i32> {
         Scalar::Let(id) => power(&mechanism.lets[id.index()].rest),
         Scalar::AboveZero(number) => power(&number.value),
         Scalar::Negate(inner) => power(inner),
-        Scalar::Chain(first, rest) => {
-            rest.iter().fold(power(first), |so_far, (operator, operand)| match operator {
-                Operator::Add | Operator::Sub => so_far.or(power(operand)),
-                Operator::Mul => Some(so_far? + power(operand)?),
-                Operator::Div => Some(so_far? - power(operand)?),
-            })
-        }
+        Scalar::Chain(first, rest) => power_of_chain(mechanism, first, rest),
         Scalar::Call(function, arguments) => match function.measures() {
             Measures::Common => arguments.iter().find_map(power),
             Measures::Root => power(&arguments[0]).map(|of| of / 2),
@@ -63,26 +67,77 @@ pub(super) fn power(mechanism: &Mechanism, value: &Scalar) -> Option<i32> {
     }
 }
 
-/// The units of the operands of products and quotients that have this unit together: of a constant what is left by the
-/// others.
-pub(super) fn units_of_factors(
+fn power_of_chain(
+    mechanism: &Mechanism,
+    first: &Scalar,
+    rest: &[(Operator, Scalar)],
+) -> Option<i32> {
+    let power = |value: &Scalar| power(mechanism, value);
+    rest.iter().fold(power(first), |so_far, (operator, operand)| match operator {
+        Operator::Add | Operator::Sub => so_far.or(power(operand)),
+        Operator::Mul => Some(so_far? + power(operand)?),
+        Operator::Div => Some(so_far? - power(operand)?),
+    })
+}
+
+/// The units of a chain's operands, each operator on what the one before has made, which have this unit together.
+pub(super) fn units_of_operands(
     mechanism: &Mechanism,
     first: &Scalar,
     rest: &[(Operator, Scalar)],
     unit: DeclaredUnit,
 ) -> Vec<DeclaredUnit> {
-    let signs = [1]
-        .into_iter()
-        .chain(rest.iter().map(|(operator, _)| if *operator == Operator::Div { -1 } else { 1 }));
-    let operands = [first].into_iter().chain(rest.iter().map(|(_, operand)| operand));
-    let mut factors: Vec<(i32, Option<i32>)> =
-        signs.zip(operands.map(|operand| power(mechanism, operand))).collect();
+    let is_sum = |sign: Operator| matches!(sign, Operator::Add | Operator::Sub);
+    let Some(last_sum) = rest.iter().rposition(|(sign, _)| is_sum(*sign)) else {
+        return units_of_factors(mechanism, first, rest, unit);
+    };
+    let (sum, factors) = rest.split_at(last_sum + 1);
+    let of_sum = power_of_chain(mechanism, first, sum);
+    let of_factors = units_of_powers(mechanism, of_sum, factors, unit);
+    let (before, (_, term)) = (&sum[..last_sum], &sum[last_sum]);
+    // What is known of a term of the sum is so of the others.
+    let own = match of_sum.or(power(mechanism, term)) {
+        Some(power) if power > 0 => DeclaredUnit::of_power(power),
+        _ if factors.is_empty() => unit,
+        _ => of_factors[0],
+    };
+    let mut units = units_of_operands(mechanism, first, before, own);
+    units.push(own);
+    units.extend(&of_factors[1..]);
+    units
+}
+
+/// The units of factors and divisors that have this unit together.
+fn units_of_factors(
+    mechanism: &Mechanism,
+    first: &Scalar,
+    rest: &[(Operator, Scalar)],
+    unit: DeclaredUnit,
+) -> Vec<DeclaredUnit> {
+    if rest.is_empty() {
+        return vec![unit];
+    }
+    units_of_powers(mechanism, power(mechanism, first), rest, unit)
+}
+
+/// The same, where the first factor has this power of a length: the first constant that can have it has what is left by the
+/// others.
+fn units_of_powers(
+    mechanism: &Mechanism,
+    first: Option<i32>,
+    rest: &[(Operator, Scalar)],
+    unit: DeclaredUnit,
+) -> Vec<DeclaredUnit> {
+    let signs = rest.iter().map(|(operator, _)| if *operator == Operator::Div { -1 } else { 1 });
+    let powers = rest.iter().map(|(_, operand)| power(mechanism, operand));
+    let mut factors = vec![(1, first)];
+    factors.extend(signs.zip(powers));
     let mut left =
         unit.power() - factors.iter().map(|(sign, of)| sign * of.unwrap_or(0)).sum::<i32>();
     for (sign, of) in &mut factors {
         if of.is_none() && left * *sign > 0 {
-            *of = Some(1);
-            left -= *sign;
+            *of = Some(left * *sign);
+            left = 0;
         }
     }
     factors.iter().map(|(_, of)| DeclaredUnit::of_power(of.unwrap_or(0))).collect()
@@ -97,10 +152,12 @@ pub(super) fn unit_of_arguments(
 ) -> DeclaredUnit {
     let known = arguments.iter().find_map(|argument| power(mechanism, argument));
     match (measures, known) {
-        (Measures::Common | Measures::Direction | Measures::Number, Some(power)) => {
-            DeclaredUnit::of_power(power)
-        }
+        (
+            Measures::Common | Measures::Direction | Measures::Number | Measures::Root,
+            Some(power),
+        ) => DeclaredUnit::of_power(power),
         (Measures::Common, None) => unit,
+        (Measures::Root, None) => DeclaredUnit::of_power(2 * unit.power()),
         _ => DeclaredUnit::Bare,
     }
 }

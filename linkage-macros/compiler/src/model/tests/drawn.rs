@@ -271,9 +271,12 @@ fn a_length_is_that_of_one_bar() {
             "input t: angle; ground A(0, 0); pin B(1m, 0); link AB(A, B), AC(A, B) { length: 2m } drive AB.angle = t;",
             "",
             "length: a length is that of one link with two pins / write it in a statement of its \
-             own: `link AB(A, B) { length: … }`\n\
-             length: a length is that of one link with two pins / write it in a statement of its \
              own: `link AC(A, B) { length: … }`",
+        ),
+        (
+            "input t: angle; ground A(0, 0); pin B(1m, 0); link AB(A, B), AC(A, B) { width: 2m } drive AB.angle = t;",
+            "",
+            "width: `link` has no field `width` / its only field is `length`; everything else is as drawn",
         ),
     ]);
 }

@@ -71,6 +71,11 @@ fn mistakes_of_sets() {
             "input hand { x = tol.x, y = tool.y }",
             "tol: no pin named `tol`; one with a similar name exists: `tool` / say where it is drawn: `pin tol(…, …);`",
         ),
+        // Found with either set, in other words.
+        (
+            "input hand { x = BC.slide, y = tool.y }",
+            "slide: `BC` does not slide / what slides is declared on a guide: `link BC(…) on GUIDE;`",
+        ),
         (
             "input hand { x = tool.x, y = tool.y } input end { u = BC.angle, v = distance(B, D) }",
             "",

@@ -8,6 +8,11 @@ fn inputs_parameters_and_values() {
     const ROWS: &[(&str, &str)] = &[
         ("input : angle;", ":: expected the name of an input, found `:`"),
         (
+            "input { a = AB.angle }",
+            "{: expected the name of an input, found `{` / a set of inputs has a name: `input \
+             motors { … }`",
+        ),
+        (
             "input theta;",
             ";: say what `theta` is: `input theta: angle;` or `input theta: length;` / its kind \
              tells radians from metres",

@@ -191,7 +191,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         }
     }
 
-    /// What the braces of a link say: its length, where it has two pins.
+    /// What the braces behind a link say: its length, where it has two pins.
     fn length_of(
         &mut self,
         statement: &'t Statement,
@@ -201,6 +201,9 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
         else {
             return None;
         };
+        if !links.last().is_some_and(|last| std::ptr::eq(last, link)) {
+            return None;
+        }
         for field in &fields.fields {
             if field.name != "length" {
                 let message = format!("`link` has no field `{}`", field.name);
