@@ -87,6 +87,7 @@ pub mod start_in_rust {
     //! [searching]: super::both_directions#searching
     //! [`Direction`]: crate::Direction
     //! [`Mechanism`]: crate::Mechanism
+    //! [`Parameters`]: crate::Parameters
     //! [`Point`]: crate::Point
     //! [`Record::LABELS`]: crate::Record::LABELS
     //! [`Record::links`]: crate::Record::links
