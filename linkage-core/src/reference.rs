@@ -124,6 +124,7 @@ pub mod cut {
     //! [set-points]: super::both_directions#groups-of-class-iii
     //! [sets]: super::both_directions#several-sets-of-inputs
     //! [`limits`]: crate::range::limits()
+    //! [all assemblies]: super::method_and_measurements#all-assemblies
     //! [`Tracker`]: crate::Tracker
     //!
     #![doc = include_str!("figures/drawn_limits.md")]
