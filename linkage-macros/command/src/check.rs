@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
     for (program, declaration) in &all {
         let output = compile(declaration.tokens.clone(), &Options::default());
         let mut found = [output.diagnostics, output.notes].concat();
-        // What all sets of inputs share is told once, and of what they find at one place the first mistake.
+        // A mistake that sets of inputs share is told once, and of those that they find at one place the first.
         let path = &program.path;
         let place = |one: &Diagnostic| {
             let what = if one.level == Level::Mistake { String::new() } else { format!("{one:?}") };

@@ -95,7 +95,7 @@ pub(super) fn units_of_operands(
     let of_sum = power_of_chain(mechanism, first, sum);
     let of_factors = units_of_powers(mechanism, of_sum, factors, unit);
     let (before, (_, term)) = (&sum[..last_sum], &sum[last_sum]);
-    // What is known of a term of the sum is so of the others.
+    // All terms of a sum have one unit.
     let own = match of_sum.or(power(mechanism, term)) {
         Some(power) if power > 0 => DeclaredUnit::of_power(power),
         _ if factors.is_empty() => unit,

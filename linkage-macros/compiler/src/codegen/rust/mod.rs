@@ -56,6 +56,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
     let import = cx.paths.import_in_constant();
     let arguments = cx.paths.import_arguments(declared_arguments::all_names(&cx.signatures));
     let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
+    let parameters = parameters::implementation(cx);
     let fast = cx.entries().map(|entry| fast_path::function(cx, entry));
     let followed = cx.entries().map(|entry| fast_path::following(cx, entry));
     let checked = cx.entries().map(|entry| checked::function(cx, entry));
@@ -82,6 +83,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
             #import
             #arguments
             #solver
+            #parameters
             #records
             impl<#scalar: #any> #name<#scalar> { #(#fast)* #formulas #searches }
             impl<#scalar: #real> #name<#scalar> { #(#checked)* #(#slow)* #(#followed)* #clearances }

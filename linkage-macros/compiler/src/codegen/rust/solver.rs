@@ -6,7 +6,7 @@ use quote::{ToTokens, format_ident, quote};
 use super::context::{Context, literal, numeric_params};
 use super::paths::Paths;
 use super::token_list::Tokens;
-use super::{cost_constant, module, parameters, structs};
+use super::{cost_constant, module, structs};
 use crate::codegen::identifiers::{generated, text};
 use crate::codegen::{docs, identifiers};
 use crate::interface::{force_records, labels};
@@ -16,8 +16,7 @@ use crate::syntax::anatomy::Modes;
 /// The implementations that need no solving: constants, `Default` and `lift`.
 pub(super) fn implementation(cx: &Context<'_>) -> TokenStream {
     let (constants, default, lift) = (constants(cx), default(cx), lift(cx));
-    let parameters = parameters::implementation(cx);
-    quote!(#constants #default #lift #parameters)
+    quote!(#constants #default #lift)
 }
 
 /// The struct itself.
