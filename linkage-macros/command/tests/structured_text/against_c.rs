@@ -30,10 +30,10 @@ fn every_block_answers_as_c_does_to_the_last_bit() {
 }
 
 #[derive(Debug, Default)]
-struct Counts {
-    poses: usize,
-    answered: usize,
-    refused: usize,
+pub(super) struct Counts {
+    pub poses: usize,
+    pub answered: usize,
+    pub refused: usize,
     /// Poses of a machine of about a metre that only the block refuses, as too large.
     lost: usize,
 }
@@ -73,9 +73,22 @@ fn compare_part(every: usize, each: usize, part: usize) -> Option<(Counts, [usiz
     let chosen: Vec<(usize, (String, TokenStream))> =
         chosen.filter(|(nth, _)| nth % PARTS == part).collect();
     let mut printed = 0;
-    for (nth, (path, tokens)) in &chosen {
-        let Some((texts, only)) = texts(tokens) else { continue };
-        printed += 1;
+    for (nth, of) in &chosen {
+        printed += usize::from(counts.compare_one(of, each, &format!("{every}_{nth}"), *nth)?);
+    }
+    Some((counts, [printed, chosen.len()]))
+}
+
+impl Counts {
+    /// True for a declaration that is printed; none without a compiler. The folder is its own.
+    pub(super) fn compare_one(
+        &mut self,
+        (path, tokens): &(String, TokenStream),
+        each: usize,
+        own: &str,
+        seed: usize,
+    ) -> Option<bool> {
+        let Some((texts, only)) = texts(tokens) else { return Some(false) };
         let mut project = Project::default();
         texts.iter().rev().for_each(|file| project.read(&file.text));
         let blocks: Vec<&Unit> = project
@@ -85,10 +98,10 @@ fn compare_part(every: usize, each: usize, part: usize) -> Option<(Counts, [usiz
             .filter(|unit| unit.is_block)
             .collect();
         let machine = Machine { project: &project };
-        let calls = calls(&machine, &blocks, each, *nth as u64);
+        let calls = calls(&machine, &blocks, each, seed as u64);
         let calls = calls.unwrap_or_else(|why| panic!("{path}, {}: {why}", texts[0].name));
         let files = c(tokens.clone(), only, None).expect("C is printed");
-        let place = folder(&format!("{every}_{nth}"));
+        let place = folder(own);
         let given: Vec<_> = calls.iter().map(|call| (call.function, call.given.clone())).collect();
         let Some(answers) = in_c::answers(&place, &files, &blocks, &given) else {
             skipped("structured text beside C: no cc");
@@ -97,13 +110,11 @@ fn compare_part(every: usize, each: usize, part: usize) -> Option<(Counts, [usiz
         fs::remove_dir_all(&place).expect("it was made here");
         for (call, answer) in calls.iter().zip(&answers) {
             let name = &blocks[call.function].name;
-            counts.add(call, answer, &format!("{path}: {name} of {:?}", call.given));
+            self.add(call, answer, &format!("{path}: {name} of {:?}", call.given));
         }
+        Some(true)
     }
-    Some((counts, [printed, chosen.len()]))
-}
 
-impl Counts {
     fn add(&mut self, call: &Call, answer: &in_c::Answer, of: &str) {
         let Told { status, refused, numbers } = &call.told;
         self.poses += 1;

@@ -17,6 +17,7 @@ mod poses;
 mod printed;
 mod reader;
 mod units;
+mod words;
 
 use std::fs;
 use std::path::{Path, PathBuf};

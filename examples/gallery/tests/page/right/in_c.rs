@@ -17,6 +17,9 @@ pub(super) struct Printed {
 /// The answers of Rust in both widths; those in `f32` as they are in `f64`.
 pub(super) type Answers = [Vec<Option<Vec<f64>>>; 2];
 
+/// An input, its rate and its acceleration.
+const RATES: &str = "(real)given[k][0], (real)given[k][1], (real)given[k][2], ";
+
 /// A call in both widths at each row of what is given. `TAIL` stands for nothing or `F32`, `END` for nothing or `_f32`.
 const CALLER: &str = r#"
 #include <stdio.h>
@@ -66,9 +69,14 @@ impl Printed {
         self.compare(["Position", "position"], [&setup, &arguments], given, answers);
     }
 
+    /// Asserts that motions at an input, its rate and its acceleration are those of Rust.
+    pub(super) fn motions(&self, given: &[Vec<f64>], answers: &Answers) {
+        self.compare(["Motion", "motion"], ["", RATES], given, answers);
+    }
+
     /// Asserts that forces at an input, its rate and its acceleration are those of Rust, with loads in front of the result.
     pub(super) fn forces(&self, loads: &str, given: &[Vec<f64>], answers: &Answers) {
-        let arguments = format!("(real)given[k][0], (real)given[k][1], (real)given[k][2], {loads}");
+        let arguments = format!("{RATES}{loads}");
         self.compare(["Forces", "forces"], ["", &arguments], given, answers);
     }
 

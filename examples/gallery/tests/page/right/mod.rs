@@ -8,6 +8,9 @@ mod in_c;
 mod machines;
 mod rows;
 mod rubbing;
+mod word_machines;
+mod word_rows;
+mod words;
 
 use linkage_core::sketch::{Drawn, Page, Paged};
 use linkage_core::{Record, Solver};
