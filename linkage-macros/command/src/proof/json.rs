@@ -25,10 +25,15 @@ fn of_entry(entry: &EntryReport, widths: &[usize]) -> Value {
     let ranges = entry.ranges.iter().map(|range| {
         json!({ "name": range.name, "unit": range.unit, "from": range.ends[0], "to": range.ends[1] })
     });
-    let transmissions = entry
-        .transmissions
-        .iter()
-        .map(|of| json!({ "group": of.group, "least_sine": of.least, "at": of.at }));
+    let transmissions = entry.transmissions.iter().map(|of| {
+        json!({
+            "group": of.group,
+            "least": of.least,
+            "least_at": of.least_at,
+            "largest": of.largest,
+            "largest_at": of.largest_at,
+        })
+    });
     let operations = json!({
         "additions": entry.operations.additions,
         "multiplications": entry.operations.multiplications,

@@ -22,12 +22,11 @@ pub(super) fn written(report: &Report, widths: &[usize]) -> String {
             distances(entry, limit, widths[0], &mut text);
         }
         for group in &entry.transmissions {
-            let at = places(entry, &group.at);
-            let sine = short(group.least, 3);
-            line(
-                &mut text,
-                &format!("Transmission of {}: sine at least {sine}, at {at}.", group.group),
-            );
+            let [from, to] = angle_ends([group.least, group.largest]);
+            let [least_at, largest_at] =
+                [&group.least_at, &group.largest_at].map(|at| places(entry, at));
+            let from = format!("from {from:.1}°, at {least_at}, to {to:.1}°, at {largest_at}");
+            line(&mut text, &format!("Transmission angle of {}: {from}.", group.group));
         }
         let call = operations(&entry.operations);
         line(&mut text, &format!("A call on the fast path: {call}."));
@@ -36,6 +35,13 @@ pub(super) fn written(report: &Report, widths: &[usize]) -> String {
         text.push('\n');
     }
     text
+}
+
+/// The ends of angles in degrees with one decimal, rounded outwards, so that they stay bounds.
+fn angle_ends([least, largest]: [f64; 2]) -> [f64; 2] {
+    let tenths = [least, largest].map(|angle| angle.to_degrees() * 10.0);
+    // A half turn is the largest angle, however it is rounded.
+    [tenths[0].floor() / 10.0, (tenths[1].ceil() / 10.0).min(180.0)]
 }
 
 fn line(text: &mut String, line: &str) {
@@ -257,5 +263,16 @@ fn dimensions(entry: &EntryReport, text: &mut String) {
         if !told.is_empty() {
             line(text, &format!("  {}  {}", result.name, told.join("; ")));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::angle_ends;
+
+    #[test]
+    fn angles_are_rounded_outwards() {
+        assert_eq!(angle_ends([65.37_f64.to_radians(), 114.21_f64.to_radians()]), [65.3, 114.3]);
+        assert_eq!(angle_ends([0.0, core::f64::consts::PI + 1e-15]), [0.0, 180.0]);
     }
 }

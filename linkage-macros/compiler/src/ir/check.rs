@@ -129,18 +129,6 @@ impl Check {
         matches!(self.row().comparison, Some((_, Least::Rounding)))
     }
 
-    /// Where the value is the square of a group's sine of transmission: the operand that its root is measured by, and the
-    /// factor of the root.
-    pub(crate) fn sine(&self) -> Option<(usize, f64)> {
-        match self {
-            // A quarter of the square, in squares of the unit.
-            Self::ReachCircles => Some((4, 2.0)),
-            // l² − t²
-            Self::ReachLine => Some((1, 1.0)),
-            _ => None,
-        }
-    }
-
     /// True if every value that passes is above zero.
     pub(crate) fn keeps_above_zero(&self) -> bool {
         matches!(self.row().comparison, Some((Comparison::Above, _)))

@@ -4,7 +4,7 @@
 
 use core::f64::consts::PI;
 
-use super::outward::OutwardInterval;
+use super::outward::{OutwardInterval, above};
 use super::sloped::{InputBox, SlopedValue};
 use crate::function::Function;
 
@@ -133,6 +133,12 @@ fn atan2(
     Some((OutwardInterval::between(low, high).widened(LIBRARY), slopes))
 }
 
+/// The angles from 0 to π of these sines, which are not negative, and cosines.
+pub(crate) fn angle(sine: OutwardInterval, cosine: OutwardInterval) -> OutwardInterval {
+    let half_turn = OutwardInterval::between(0.0, above(PI));
+    atan2(sine, cosine).map_or(half_turn, |(angle, _)| angle.meet(half_turn))
+}
+
 /// The slopes of a function by its arguments over a box, with their own slopes where these are simple.
 pub(super) fn slopes(
     frame: &InputBox,
@@ -156,7 +162,7 @@ pub(super) fn slopes(
     }
 }
 
-fn root(frame: &InputBox, value: &SlopedValue) -> SlopedValue {
+pub(crate) fn root(frame: &InputBox, value: &SlopedValue) -> SlopedValue {
     let root = value.range().root();
     frame.met(&frame.chain(value, OutwardInterval::root, root.add(root).reciprocal()))
 }

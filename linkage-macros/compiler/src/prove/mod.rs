@@ -35,7 +35,7 @@
 pub(crate) mod adjoint;
 pub(crate) mod boxes;
 pub(crate) mod demand;
-mod function_ranges;
+pub(crate) mod function_ranges;
 pub(crate) mod goal;
 pub(crate) mod one_box;
 pub(crate) mod outward;

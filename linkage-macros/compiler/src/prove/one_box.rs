@@ -38,6 +38,11 @@ impl<'a, 'g> OneBox<'a, 'g> {
         self.values[self.subject.place(id)].range()
     }
 
+    /// The same with its slopes.
+    pub(crate) fn sloped(&self, id: Id) -> &SlopedValue {
+        &self.values[self.subject.place(id)]
+    }
+
     /// The same in a column: 0 is the box, the others its corners.
     pub(crate) fn column(&self, id: Id, column: usize) -> OutwardInterval {
         self.values[self.subject.place(id)].columns[column]

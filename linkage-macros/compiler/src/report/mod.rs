@@ -163,16 +163,20 @@ pub struct LimitReport {
     pub bounds: Vec<Vec<[Option<f64>; 2]>>,
 }
 
-/// The transmission of a group.
+/// The transmission angle of a group over the ranges.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct TransmissionReport {
     /// The group, `BC, DC`.
     pub group: String,
-    /// Its sine is nowhere less where errors are proved.
+    /// The transmission angle in radians, from 0 to π, is nowhere less where errors are proved.
     pub least: f64,
     /// Where it is least, an entry a range.
-    pub at: Vec<f64>,
+    pub least_at: Vec<f64>,
+    /// The angle is nowhere larger.
+    pub largest: f64,
+    /// Where it is largest.
+    pub largest_at: Vec<f64>,
 }
 
 /// The operations of a call on the fast path.

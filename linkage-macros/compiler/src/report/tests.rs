@@ -1,6 +1,8 @@
 //! Reports against numbers that are known otherwise.
 
-use super::{Report, ReportOptions};
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use super::{EntryReport, Report, ReportOptions};
 use crate::pipeline;
 
 fn report(source: &str, change: impl FnOnce(&mut ReportOptions)) -> Result<Report, Vec<String>> {
@@ -56,12 +58,60 @@ fn a_turning_machine_is_proved_over_the_whole_turn() {
     assert!((1.5e-7..1.7e-7).contains(&omega.bounds.as_ref().expect("it is proved")[1].within));
     let alpha = named("acceleration.blade.x").bounds.as_ref().expect("it is proved");
     assert!((9.5e-8..1.0e-7).contains(&alpha[1].within) && alpha[1].with_acceleration > 7e-8);
-    // The sine of the angle between coupler and rocker, by the cosine theorem: d from 585.7 to 745.7 mm.
-    let cosine = |d: f64| (0.632f64.powi(2) + 0.374f64.powi(2) - d * d) / (2.0 * 0.632 * 0.374);
-    let least = [0.5857, 0.7457].map(|d| (1.0 - cosine(d).powi(2)).sqrt());
-    let least = least[0].min(least[1]);
-    let told = &motion.transmissions[0];
-    assert!((told.least - least).abs() < 1e-3 && told.least <= least, "{told:?} {least}");
+    // The angle between coupler and rocker, by the cosine theorem: d from 585.7 to 745.7 mm.
+    let angle =
+        |d: f64| ((0.632f64.powi(2) + 0.374f64.powi(2) - d * d) / (2.0 * 0.632 * 0.374)).acos();
+    assert_transmission(motion, ("BC, DC", 1e-3), [0.5857, 0.7457].map(angle), [0.0, PI]);
+}
+
+/// The ends are bounds of the true ones and this far off at most, at the corners of boxes where these are. The boxes are a
+/// 64th of a turn.
+fn assert_transmission(
+    motion: &EntryReport,
+    (group, within): (&str, f64),
+    [least, largest]: [f64; 2],
+    at: [f64; 2],
+) {
+    let told = motion.transmissions.iter().find(|of| of.group == group).expect("it is told");
+    assert!(told.least <= least && told.largest >= largest, "{told:?} {least} {largest}");
+    let off = (least - told.least).max(told.largest - largest);
+    assert!(off < within, "{told:?} {least} {largest}");
+    for (found, at) in [(&told.least_at, at[0]), (&told.largest_at, at[1])] {
+        let off = (found[0] - at).abs();
+        assert!(off.min(2.0 * PI - off) < 0.1, "{told:?} {at}");
+    }
+}
+
+/// A bar that leans back over the guide's normal and a block beside its bar are told from their mirror images: 40° is
+/// not 140°.
+#[test]
+fn transmission_angles_of_blocks_know_their_side() {
+    let guided =
+        |beside: &str| report(LIMITED, |options| options.set = vec![pair("beside", beside)]);
+    // The joint is from −43 to 43 mm above the guide: the way up to it, less the offset, over the rod.
+    let angle = |t: f64| (t / 136.0).acos();
+    let over = guided("-60mm").expect("there is no mistake");
+    let ends = [-17.0, -103.0].map(angle);
+    assert_transmission(&over.entries[0], ("rod, ram", 1e-3), ends, [-FRAC_PI_2, FRAC_PI_2]);
+    let under = guided("60mm").expect("there is no mistake");
+    let ends = [103.0, 17.0].map(angle);
+    assert_transmission(&under.entries[0], ("rod, ram", 1e-3), ends, [-FRAC_PI_2, FRAC_PI_2]);
+    // Its pivot is from 60 to 140 mm from the crank's pin.
+    for (offset, sign) in [("30mm", 1.0), ("-30mm", -1.0)] {
+        let source = format!(
+            "struct M {{ input theta: angle; ground A(0, 0), D(100mm, 0);
+             crank AB(A) -> B {{ length: 40mm, angle: theta }}
+             rpr block(B), bar(D) {{ offset: {offset}, mode: ahead }} }}"
+        );
+        let report = report(&source, |_| {}).expect("there is no mistake");
+        let [near, far] = [60.0, 140.0].map(|b: f64| (sign * 30.0 / b).acos());
+        let (ends, at) = match sign > 0.0 {
+            true => ([near, far], [0.0, PI]),
+            false => ([far, near], [PI, 0.0]),
+        };
+        // Over a box the angle bends by 0.64 w²/2.
+        assert_transmission(&report.entries[0], ("block, bar", 5e-3), ends, at);
+    }
 }
 
 /// A dead point is where trigonometry says, and bounds grow by the powers of its distance that Taylor's series
@@ -72,7 +122,7 @@ fn next_to_a_limit_bounds_grow_by_its_distance() {
     let motion = &report.entries[0];
     assert!(!motion.is_straight);
     let dead = (36.0_f64 / 43.0).asin();
-    let expected = [dead, core::f64::consts::PI - dead];
+    let expected = [dead, PI - dead];
     assert_eq!(motion.limits.len(), 2);
     for limit in &motion.limits {
         let off = expected.iter().map(|at| (limit.at - at).abs()).fold(1.0, f64::min);
