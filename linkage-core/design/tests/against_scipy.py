@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Eighteen timed points and five poses by scipy, by pylinkage and by linkage-design: error, evaluations, seconds.
+"""Eighteen timed points and five poses by scipy, by pylinkage and by linkage-design: error, evaluations, and seconds
+of one processor.
 
 Run from anywhere, by a Python that has scipy: linkage-core/design/tests/against_scipy.py. Needs Cargo. What pip has
 not installed is skipped by its name.
@@ -17,7 +18,8 @@ try:
     import numpy as np
     from scipy.optimize import differential_evolution, least_squares, minimize
 except ImportError as missing:
-    raise SystemExit(f"skipped: scipy ({missing}); pip install scipy")
+    print(f"against_scipy: skipped, the package `scipy` is not installed ({missing})")
+    raise SystemExit
 
 ROOT = Path(__file__).resolve().parents[3]
 TARGETS = np.array([
@@ -61,11 +63,11 @@ def row(name, error, count, seconds):
 def by_scipy():
     global evaluations
     for seed in range(2):
-        evaluations, begun = 0, time.time()
+        evaluations, begun = 0, time.process_time()
         found = differential_evolution(
             cost, RANGES, maxiter=1000, popsize=10, tol=1e-10, seed=seed, polish=False, updating="immediate"
         )
-        row(f"scipy, differential evolution, seed {seed}", found.fun, evaluations, time.time() - begun)
+        row(f"scipy, differential evolution, seed {seed}", found.fun, evaluations, time.process_time() - begun)
     missed = lambda numbers: (lambda found: np.full(36, 3.0) if found is None else found)(residuals(numbers))
     squares = lambda numbers: (lambda found: found @ found)(missed(numbers))
     from_starts("least squares", lambda start: least_squares(missed, start, bounds=np.array(WIDE).T, max_nfev=200))
@@ -75,23 +77,23 @@ def by_scipy():
 def from_starts(name, search):
     """The best end of searches from random starts, which are the same for every method."""
     global evaluations
-    draw, best, evaluations, begun, starts = np.random.default_rng(0), np.inf, 0, time.time(), 0
-    while time.time() - begun < SECONDS:
+    draw, best, evaluations, begun, starts = np.random.default_rng(0), np.inf, 0, time.process_time(), 0
+    while time.process_time() - begun < SECONDS:
         start = np.array([draw.uniform(*ends) for ends in RANGES])
         if cost(start) < 10:
             best, starts = min(best, cost(search(start).x)), starts + 1
-    row(f"scipy, {name} with differences, {starts} starts", best, evaluations, time.time() - begun)
+    row(f"scipy, {name} with differences, {starts} starts", best, evaluations, time.process_time() - begun)
 
 
 def by_pylinkage():
     try:
         from pylinkage.synthesis import Pose, motion_generation
     except ImportError as missing:
-        return print(f"skipped: pylinkage ({missing}); pip install pylinkage")
-    begun = time.time()
+        return print(f"against_scipy: skipped, the package `pylinkage` is not installed ({missing})")
+    begun = time.process_time()
     poses = [Pose(*pose) for pose in hidden_poses()]
     found = motion_generation(poses, max_solutions=None, require_grashof=False).solutions
-    seconds = time.time() - begun
+    seconds = time.process_time() - begun
     print(f"{'pylinkage, five poses of a hidden four-bar':44} {len(found):>3} solutions {'':11} {seconds:8.2f}")
 
 
