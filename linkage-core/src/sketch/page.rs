@@ -4,7 +4,7 @@
 //! `kernels.js`, `limit.js` and `checks.js` compute and decide as the crate does, `roots.js` and `survey.js`
 //! search and `friction.js` solves for friction as it does, `pose.js` reads the results, `drag.js` finds the
 //! inputs of a dragged point; nothing of this touches the document. `picture.js`, `symbols.js`, `curves.js`,
-//! `controls.js` and `page.js` do.
+//! `acts.js`, `tolerance.js`, `controls.js` and `page.js` do.
 
 mod assembled;
 mod declared;
@@ -169,10 +169,33 @@ impl<S: Paged> Page<S> {
         self
     }
 
+    /// Begins with the curves of this machine kept, dashed, beside the page's own: the dimensions before a search, and those
+    /// after it.
+    #[must_use]
+    pub fn before(mut self, solver: &S) -> Self {
+        self.wishes.before = solver.params();
+        self
+    }
+
+    /// Marks these places in the picture, in metres: those that a point shall pass.
+    #[must_use]
+    pub fn points(mut self, points: impl IntoIterator<Item = impl Into<[f64; 2]>>) -> Self {
+        self.wishes.points = points.into_iter().map(Into::into).collect();
+        self
+    }
+
+    /// Marks what an output shall be, in pairs of the first input and its first number, in SI units.
+    #[must_use]
+    pub fn wanted(mut self, output: &str, pairs: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let pairs = pairs.into_iter().map(<[f64; 2]>::from).collect();
+        self.wishes.wanted.push((output.to_string(), pairs));
+        self
+    }
+
     /// The page: one file without libraries, which asks for nothing of the network.
     ///
     /// # Errors
-    /// `UnknownName` for a trace, a curve, a range, a rate or a load of nothing that is declared.
+    /// `UnknownName` for a trace, a curve, a wanted output, a range, a rate or a load of nothing that is declared.
     pub fn to_html(&self) -> Result<String, SketchError> {
         let plan = &PlanOf::<S>::PLAN;
         self.wishes.traces.iter().try_for_each(|name| point(plan, name).map(drop))?;

@@ -2,6 +2,7 @@
 //! them.
 
 mod access;
+mod before;
 mod browser;
 #[path = "../chromium/mod.rs"]
 mod chromium;

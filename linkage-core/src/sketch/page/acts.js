@@ -18,9 +18,21 @@ const answersOf = ({ p, l, rate }, q) => {
 const keep = () => {
   kept = kept ? null : { p: [...state.p], l: [...state.l], rate: state.rate, axis: state.axis, q: [...state.q], samples };
   $("#keep").setAttribute("aria-pressed", !!kept);
-  $("#kept").textContent = kept ? "Dashed: the curves that are kept. In the table: the change since then." : "";
+  $("#kept").textContent = kept ? "Dashed: curves and paths that are kept. In the table: the change since then." : "";
   draw(CURVES);
 };
+/// Keeps the curves of the parameters of before, over the same input.
+const keepBefore = () => {
+  const own = state.p;
+  state.p = PAGE.before;
+  sample();
+  keep();
+  state.p = own;
+  fit();
+};
+/// The places on paths that are kept.
+const keptPlaces = () =>
+  (kept?.samples ?? []).flatMap(({ pose }) => (pose.error ? [] : tracedPoints.map((point) => pose.point(point))));
 /// True where kept curves are over the same input.
 const isBeside = () => kept && kept.axis === state.axis && kept.samples.length === samples.length;
 

@@ -31,11 +31,12 @@ pub(super) const READS: [&str; 4] = [
 ];
 
 /// The files of all that a reader sees and sets.
-pub(super) const SHOWS: [&str; 6] = [
+pub(super) const SHOWS: [&str; 7] = [
     include_str!("picture.js"),
     include_str!("symbols.js"),
     include_str!("curves.js"),
     include_str!("acts.js"),
+    include_str!("tolerance.js"),
     include_str!("controls.js"),
     include_str!("page.js"),
 ];
@@ -122,10 +123,21 @@ impl<'a> Parts<'a> {
             ("traces", texts(&wishes.traces)),
             ("curves", texts(&wishes.curves)),
             ("path", list(wishes.path.iter().map(|q| list(q.iter().map(|&x| number(x)))))),
+            ("before", list(wishes.before.iter().map(|&x| number(x)))),
+            ("points", list(wishes.points.iter().map(pair))),
+            ("wanted", list(wishes.wanted.iter().map(wanted))),
             ("text", string(declared.text)),
         ]);
         Self { plan: declared.plan, options, script: declared.script }
     }
+}
+
+fn pair([x, y]: &[f64; 2]) -> String {
+    list([number(*x), number(*y)])
+}
+
+fn wanted((output, pairs): &(String, Vec<[f64; 2]>)) -> String {
+    object([("output", string(output)), ("pairs", list(pairs.iter().map(pair)))])
 }
 
 /// A page around the constants of its machine.

@@ -77,7 +77,8 @@ const shownOf = (x, { shown: [, times], noise }) => (Math.abs(x) < 1e-9 * noise 
 const chartsOf = (name) => {
   const own = rows.filter(({ output }) => output === name);
   const motions = [0, 1, 2].flatMap((order) =>
-    grouped(own, ({ unit }) => unit).map((list) => ({
+    grouped(own, ({ unit }) => unit).map((list, nth) => ({
+      pairs: order || nth ? [] : PAGE.wanted.filter(({ output }) => output === name).flatMap(({ pairs }) => pairs),
       title: `${ORDERS[order]} of ${list[0].title}`,
       scale: () => list[0].scales[order],
       isMotion: true,
@@ -113,12 +114,13 @@ const buildCharts = () => {
     const ticks = node("g", { class: "ticks" }), band = node("path", { class: "band", "clip-path": `url(#inside${nth})` });
     const olds = chart.series.map(() => node("path", { class: "old", "clip-path": `url(#inside${nth})` }));
     const lines = chart.series.map((_, k) => node("path", { class: `curve s${k}`, "clip-path": `url(#inside${nth})` }));
+    const wanted = node("path", { class: "wanted", "clip-path": `url(#inside${nth})` });
     const title = node("text", { class: "title" }), legend = node("text", { class: "legend" });
     title.textContent = chart.title;
     const labels = chart.series.map((_, k) => made("tspan", { class: `s${k}` }, legend)), rest = made("tspan", {}, legend);
     const cursor = node("path", { class: "cursor" });
     const dots = chart.series.map((_, k) => node("circle", { class: `dot s${k}`, r: 4 }));
-    return { ...chart, svg, out, grid, zero, inside, ticks, band, olds, lines, title, legend, labels, rest, cursor, dots };
+    return { ...chart, svg, out, grid, zero, inside, ticks, band, olds, lines, wanted, title, legend, labels, rest, cursor, dots };
   });
 };
 
@@ -183,11 +185,21 @@ const prepared = (chart) => {
   const isShown = values.map((list) => !isZero(list) || values.every(isZero));
   const bands = samples.map(({ holding }) => (chart.hasBand && holding?.map((x) => shownOf(x, holds.scales[0]))) || null);
   const before = isBeside() ? chart.series.map(({ of, isAngle }) => (isAngle ? unrolled : (list) => list)(kept.samples.map(of))) : [];
-  const range = rangeOf([...values, ...before].filter((_, k) => isShown[k % values.length]).concat(bands.filter(Boolean)).flat());
+  const aims = aimsOf(chart, values[0]);
+  const range = rangeOf([...values, ...before].filter((_, k) => isShown[k % values.length]).concat(bands.filter(Boolean), aims.map(([, y]) => y)).flat());
   const [levels, step] = roundNumbers(range, 4), marks = levels.map((y) => [y, tickWords(y, step)]);
   const isFlat = !!chart.isMotion && values.every((list) => isZero(list) && list.some(isFinite)), [unit] = chart.scale().shown;
   const room = Math.max(...[...marks.map(([, text]) => text), unit].map(widthOf)) + 14;
-  return Object.assign(chart, { values, before, isShown, bands, range, marks, isFlat, unit, room });
+  return Object.assign(chart, { values, before, aims, isShown, bands, range, marks, isFlat, unit, room });
+};
+
+/// What a chart's first row shall be, at values of the first input; angles in the curve's own turn.
+const aimsOf = ({ pairs = [], series: [{ isAngle }], scale }, values) => {
+  const [from, to] = domain();
+  return (state.axis ? [] : pairs).map(([x, wanted]) => {
+    const y = shownOf(wanted, scale()), near = values[clamp(Math.round((STEPS * (x - from)) / (to - from)), 0, STEPS)];
+    return [x, isAngle && isFinite(near) ? y + 360 * Math.round((near - y) / 360) : y];
+  });
 };
 
 const drawChart = (chart, width, left) => {
@@ -204,6 +216,7 @@ const drawChart = (chart, width, left) => {
   const spot = (y, n) => isFinite(y) && [X(samples[n].x), clamp(Y(y), -2000, 2000)];
   chart.lines.forEach((line, k) => trace(line, isShown[k] ? lineThrough(values[k].map(spot)) : ""));
   chart.olds.forEach((line, k) => trace(line, before[k] && isShown[k] ? lineThrough(before[k].map(spot)) : ""));
+  trace(chart.wanted, crossesAt(chart.aims.map(([x, y]) => [X(x), Y(y)])));
   trace(chart.band, areaBetween(bands.map((ends, n) => ends && ends.map((y) => spot(y, n)))));
   const [x, y, anchor] = isSlim ? [left, 34, "start"] : [width - right, 15, "end"];
   put(chart.title, { x: left, y: 15 });
@@ -350,6 +363,7 @@ const tellValues = (now) => {
   told = time;
   const then = kept && !running && answersOf(kept, state.q);
   for (const [cell, of] of cells) cell.textContent = of(now, then);
+  tellTolerances();
 };
 
 /// The samples as a table of comma-separated values in SI units, under the state that they belong to.

@@ -16,7 +16,10 @@ const frame = () => {
   due = 0;
   if (what === SCALE) fit();
   else if (what === CURVES) sample();
-  if (what !== POSE) drawCurves();
+  if (what !== POSE) {
+    drawCurves();
+    tellWorst();
+  }
   drawPose();
   spent.push(performance.now() - begun);
   if (spent.length > 1000) spent.shift();
@@ -49,7 +52,9 @@ const fit = () => {
 
 const drawCurves = () => {
   tracedPoints.forEach((point, k) => {
-    trace(nodes.trace[k], lineThrough(samples.map(({ pose }) => !pose.error && onPage(pose.point(point)))));
+    const way = (samples) => lineThrough(samples.map(({ pose }) => !pose.error && onPage(pose.point(point))));
+    trace(nodes.trace[k], way(samples));
+    trace(nodes.oldTrace[k], way(isBeside() ? kept.samples : []));
   });
   // One margin for all, so that a cursor stands in one line.
   const left = Math.max(...charts.map((chart) => prepared(chart).room), 34);
@@ -301,12 +306,14 @@ const start = () => {
   $("#pace").hidden = PAGE.path.length > 0 && !MACHINE.forward_dynamics;
   $("#run").hidden = !MACHINE.forward_dynamics;
   buildTable();
+  offerTolerances();
   findRanges();
   const isRecalled = location.hash.length > 1 || asked !== "";
   document.body.classList.toggle("inside", isInside);
   if (!isRecalled) begin();
   take();
   fit();
+  if (PAGE.before.length) keepBefore();
   const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
   if (!isStill && !isRecalled) play(true);
   tellParent("ready");
@@ -324,6 +331,7 @@ on($("#csv"), "click", () => {
   save(new Blob([csv()], { type: "text/csv" }), "csv");
 });
 on($("#keep"), "click", keep);
+on($("#tolerate"), "click", tolerate);
 for (const ending of ["svg", "png"]) {
   on($(`#${ending}`), "click", () => saveDrawing([figure], ending));
   on($(`#charts_${ending}`), "click", () => saveDrawing(charts.map(({ svg }) => svg).filter((svg) => svg.style.display !== "none"), ending));

@@ -43,6 +43,7 @@ const pathOf = (spots, isClosed = false) =>
 /// The line through spots, interrupted where there is none.
 const lineThrough = (spots) =>
   spots.map((spot, k) => (spot ? `${k && spots[k - 1] ? "L" : "M"}${spot.map(short)}` : "")).join("");
+const crossesAt = (spots) => spots.map(([x, y]) => `M${short(x - 4)} ${short(y)}h8m-4-4v8`).join("");
 const apart = ([x, y], [u, v]) => Math.hypot(u - x, v - y);
 const minus = ([x, y], [u, v]) => [x - u, y - v];
 /// The place so far behind a, on the way to b and so far to the side of it.
@@ -103,7 +104,7 @@ const endsOf = (guide) => {
   return [least - OVERRUN / view.scale, most + OVERRUN / view.scale];
 };
 
-/// The box around all points, blocks and bars that blocks slide on, in metres.
+/// The box around all points, also those that are wanted or kept, blocks and bars that blocks slide on, in metres.
 const boxOf = (poses) => {
   let [xs, ys] = [NOTHING, NOTHING];
   const see = ([x, y]) => [xs, ys] = [widened(xs, x), widened(ys, y)];
@@ -119,6 +120,7 @@ const boxOf = (poses) => {
       if (shape === "slotted_bar") see(placed(frame, [slidesOn(link)[1], 0]));
     }
   }
+  [...PAGE.points, ...keptPlaces()].forEach(see);
   if (!(xs[0] <= xs[1])) [xs, ys] = [[-1, 1], [-1, 1]];
   return [xs, ys];
 };

@@ -27,6 +27,12 @@ pub struct Wishes {
     pub loads: Vec<(String, f64)>,
     /// The inputs of each pose that Play runs through.
     pub path: Vec<Vec<f64>>,
+    /// The parameters whose curves are kept at first; none keeps none.
+    pub before: Vec<f64>,
+    /// Places that are marked in the picture, in metres.
+    pub points: Vec<[f64; 2]>,
+    /// Pairs of the first input and the wanted value of an output, in SI units, by the output's name.
+    pub wanted: Vec<(String, Vec<[f64; 2]>)>,
 }
 
 impl Wishes {
@@ -45,7 +51,9 @@ impl Wishes {
             settings(text).iter().map(|setting| setting.name).collect()
         }
         let outputs: Vec<&str> = declared.outputs.lines().collect();
-        self.curves.iter().try_for_each(|name| named(&outputs, name, "output").map(drop))?;
+        let wanted = self.wanted.iter().map(|(name, _)| name);
+        let mut asked = self.curves.iter().chain(wanted);
+        asked.try_for_each(|name| named(&outputs, name, "output").map(drop))?;
         let (inputs, loads) = (names(declared.inputs), names(declared.loads));
         let all = [inputs.clone(), names(declared.params), loads.clone()].concat();
         let ranges = self.ranges.iter().map(|(name, _)| (&all, name, "input, parameter or load"));
@@ -70,10 +78,13 @@ impl Wishes {
                 title: self.title.clone(),
                 traces: self.traces.clone(),
                 path,
+                before: if nth == 0 { self.before.clone() } else { Vec::new() },
+                points: self.points.clone(),
                 ..Self::default()
             };
             known.fold(begun, |mut all, wish| {
                 all.curves.extend_from_slice(&wish.curves);
+                all.wanted.extend_from_slice(&wish.wanted);
                 all.ranges.extend_from_slice(&wish.ranges);
                 all.rates.extend_from_slice(&wish.rates);
                 all.loads.extend_from_slice(&wish.loads);
@@ -97,7 +108,11 @@ impl Wishes {
             self.rates.iter().map(|wish| Self { rates: [wish.clone()].into(), ..Self::default() });
         let loads =
             self.loads.iter().map(|wish| Self { loads: [wish.clone()].into(), ..Self::default() });
-        curves.chain(ranges).chain(rates).chain(loads).collect()
+        let wanted = self
+            .wanted
+            .iter()
+            .map(|wish| Self { wanted: [wish.clone()].into(), ..Self::default() });
+        curves.chain(ranges).chain(rates).chain(loads).chain(wanted).collect()
     }
 
     /// The inputs: an angle without a range turns fully, a length has that of the path, and one without any is

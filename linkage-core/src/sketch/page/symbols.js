@@ -10,12 +10,14 @@ const build = (poses) => {
     nodes[layer] = made("g", { class: layer }, figure);
   }
   nodes.trace = tracedPoints.map((point) => made("path", { class: "trace", style: `stroke:${colourOf(point)}` }, nodes.traces));
+  nodes.oldTrace = tracedPoints.map(() => made("path", { class: "old" }, nodes.traces));
   nodes.body = bodiesIn(nodes.bodies);
   nodes.shade = bodiesIn(nodes.ghost);
   nodes.spring = PLAN.springs.map(() => made("path", { class: "spring" }, nodes.springs));
   nodes.reaches = [0, 1].map(() => made("path", { class: "bound" }, nodes.reach));
   nodes.missing = made("path", { class: "missing" }, nodes.reach);
   nodes.missingWords = made("text", { class: "word warn" }, nodes.reach);
+  trace(made("path", { class: "wanted" }, nodes.pins), crossesAt(PAGE.points.map(onPage)));
   nodes.pin = PLAN.points.map((_, point) =>
     made("circle", { class: grounds.has(point) ? "pin" : "pin grip-able", r: tracedPoints.includes(point) ? 5.5 : 4.6 }, nodes.pins));
   nodes.leads = made("path", { class: "lead" }, nodes.names);
