@@ -38,7 +38,7 @@ fn words_answer_as_c_does() {
     assert!(counts.answered > 1000 && counts.refused > 500, "{counts:?}");
 }
 
-/// What each word becomes: numbers and points of the pose, with rates in a motion.
+/// Words become numbers and points of the pose, with rates in a motion.
 #[test]
 fn words_are_results_of_blocks() {
     for (name, tokens) in machines("right/word_machines.rs") {

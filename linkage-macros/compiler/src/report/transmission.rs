@@ -24,12 +24,12 @@ struct Transmitted {
     group: u32,
     /// The square of a multiple of the sine.
     value: Id,
-    sides: Sides,
+    sides: TransmittedSides,
 }
 
 /// The sides of a group's triangle.
 #[derive(Clone, Copy)]
-enum Sides {
+enum TransmittedSides {
     /// Joints (dx, dy) apart and two bars. The value is a quarter of the sine's square, in squares of the unit.
     Bars { joints: [Id; 2], bars: [Id; 2], unit: Id },
     /// The way t from the joint to the guide along the guide's normal, and the bar l. The value is l² − t².
@@ -39,7 +39,7 @@ enum Sides {
 }
 
 /// The least and the largest angle so far, each with where it is.
-struct Ends([(OutwardEnd, Vec<f64>); 2]);
+struct AngleEnds([(OutwardEnd, Vec<f64>); 2]);
 
 /// An end of an enclosure: the angle times −1 where it is the largest, so that less is further out.
 type OutwardEnd = f64;
@@ -65,7 +65,7 @@ pub(super) fn transmissions(
     let sinks: Vec<Id> = found.iter().flat_map(|of| of.sides.all().chain([of.value])).collect();
     let given: &Premises = looked.given;
     let subject = Goal::new(graph, (&sinks, &[]), given, Precision::Double);
-    let mut ends: Vec<Ends> = found.iter().map(|_| Ends::NONE).collect();
+    let mut ends: Vec<AngleEnds> = found.iter().map(|_| AngleEnds::NONE).collect();
     for sides in &looked.boxes {
         let values = OneBox::new(&subject, InputBox::new(sides));
         for (of, ends) in found.iter().zip(&mut ends) {
@@ -73,7 +73,7 @@ pub(super) fn transmissions(
         }
     }
     let told = found.iter().zip(ends).filter(|(_, ends)| ends.0[0].0.is_finite());
-    told.map(|(of, Ends([(least, least_at), (most, largest_at)]))| TransmissionReport {
+    told.map(|(of, AngleEnds([(least, least_at), (most, largest_at)]))| TransmissionReport {
         group: lowered.program.groups[of.group as usize].clone(),
         least,
         least_at,
@@ -86,16 +86,18 @@ pub(super) fn transmissions(
 fn measured(value: Id, guard: &Guard) -> Option<Transmitted> {
     let sides = match (&guard.check, &guard.operands[..]) {
         (Check::ReachCircles, &[dx, dy, l1, l2, unit, _]) => {
-            Sides::Bars { joints: [dx, dy], bars: [l1, l2], unit }
+            TransmittedSides::Bars { joints: [dx, dy], bars: [l1, l2], unit }
         }
-        (Check::ReachLine, &[across, bar]) => Sides::Guide { across, bar },
-        (Check::ReachOffset, &[bx, by, offset]) => Sides::Block { joints: [bx, by], offset },
+        (Check::ReachLine, &[across, bar]) => TransmittedSides::Guide { across, bar },
+        (Check::ReachOffset, &[bx, by, offset]) => {
+            TransmittedSides::Block { joints: [bx, by], offset }
+        }
         _ => return None,
     };
     Some(Transmitted { group: guard.group, value, sides })
 }
 
-impl Sides {
+impl TransmittedSides {
     fn all(self) -> impl Iterator<Item = Id> {
         let all = match self {
             Self::Bars { joints: [dx, dy], bars: [l1, l2], unit } => vec![dx, dy, l1, l2, unit],
@@ -115,15 +117,17 @@ impl Transmitted {
             |[x, y]: [Id; 2]| frame.met(&frame.add(&frame.square(of(x)), &frame.square(of(y))));
         // The side that the sine's root is measured by, the factor of the root, and the cosine.
         let (by, factor, cosine) = match self.sides {
-            Sides::Bars { joints, bars: [l1, l2], unit } => {
+            TransmittedSides::Bars { joints, bars: [l1, l2], unit } => {
                 let squares = frame.add(&frame.square(of(l1)), &frame.square(of(l2)));
                 let product = frame.mul(of(l1), of(l2));
                 let over = frame.add(&product, &product);
                 let cosine = frame.div(&frame.sub(&squares, &distance(joints)), &over);
                 (*of(unit), 2.0, cosine)
             }
-            Sides::Guide { across, bar } => (*of(bar), 1.0, frame.div(of(across), of(bar))),
-            Sides::Block { joints, offset } => {
+            TransmittedSides::Guide { across, bar } => {
+                (*of(bar), 1.0, frame.div(of(across), of(bar)))
+            }
+            TransmittedSides::Block { joints, offset } => {
                 let length = function_ranges::root(frame, &distance(joints));
                 (length, 1.0, frame.div(of(offset), &length))
             }
@@ -147,7 +151,7 @@ impl Transmitted {
     }
 }
 
-impl Ends {
+impl AngleEnds {
     const NONE: Self = Self([(f64::INFINITY, Vec::new()), (f64::INFINITY, Vec::new())]);
 
     /// With the angles of a box: where one is further out, the box's corner that is nearest to it.
