@@ -78,6 +78,14 @@ pub(crate) struct CheckRow {
     pub holds: fn(&Exact) -> bool,
 }
 
+/// Triangles of dyads: two bars, a bar and a guide, a block and its bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TransmissionTriangle {
+    Bars,
+    Guide,
+    Block,
+}
+
 impl Check {
     pub(crate) fn row(&self) -> CheckRow {
         use Comparison::{Above, AtLeast, Away};
@@ -127,6 +135,16 @@ impl Check {
     /// True if the last operand is a spread, which the fast path compares the value with.
     pub(crate) fn has_spread(&self) -> bool {
         matches!(self.row().comparison, Some((_, Least::Rounding)))
+    }
+
+    /// The triangle whose sine of transmission follows from the value.
+    pub(crate) fn triangle(&self) -> Option<TransmissionTriangle> {
+        match self {
+            Self::ReachCircles => Some(TransmissionTriangle::Bars),
+            Self::ReachLine => Some(TransmissionTriangle::Guide),
+            Self::ReachOffset => Some(TransmissionTriangle::Block),
+            _ => None,
+        }
     }
 
     /// True if every value that passes is above zero.

@@ -7,7 +7,7 @@
 use super::sensitivity::ProvedBoxes;
 use super::{TransmissionReport, comparisons};
 use crate::interface::EntryId;
-use crate::ir::check::Check;
+use crate::ir::check::TransmissionTriangle;
 use crate::ir::graph::{Guard, Id, Node};
 use crate::ir::liveness::{Path, live, live_nodes};
 use crate::lower::routine::Lowered;
@@ -84,12 +84,12 @@ pub(super) fn transmissions(
 }
 
 fn measured(value: Id, guard: &Guard) -> Option<Transmitted> {
-    let sides = match (&guard.check, &guard.operands[..]) {
-        (Check::ReachCircles, &[dx, dy, l1, l2, unit, _]) => {
+    let sides = match (guard.check.triangle()?, &guard.operands[..]) {
+        (TransmissionTriangle::Bars, &[dx, dy, l1, l2, unit, _]) => {
             TransmittedSides::Bars { joints: [dx, dy], bars: [l1, l2], unit }
         }
-        (Check::ReachLine, &[across, bar]) => TransmittedSides::Guide { across, bar },
-        (Check::ReachOffset, &[bx, by, offset]) => {
+        (TransmissionTriangle::Guide, &[across, bar]) => TransmittedSides::Guide { across, bar },
+        (TransmissionTriangle::Block, &[bx, by, offset]) => {
             TransmittedSides::Block { joints: [bx, by], offset }
         }
         _ => return None,
