@@ -54,12 +54,15 @@ fn behind_reach<T: Scalar>(met: T::Mask, value: T, scale: T, operands: &[T]) -> 
 }
 
 /// True if the value is above zero even with the largest rounding error.
+#[inline(always)]
 fn is_certain<T: Real>(value: T, spread: T) -> bool {
     let value = value.value();
     value.is_finite() && value > ROUNDINGS * T::EPSILON * spread.value()
 }
 
 /// The value that goes with the answer, or the error.
+#[cold]
+#[inline(never)]
 fn reached<T: Real>(
     value: T,
     operands: &[T],

@@ -50,16 +50,18 @@ fn in_registers(dx: f64, dy: f64, l1: f64, l2: f64, width: Width) -> Reach {
     };
     let [dx, dy, l1, l2] = [dx, dy, l1, l2].map(|x| scale.down(x).abs());
     let (long, short) = (l1.max(l2), l1.min(l2));
-    let d = distance([dx, dy]);
-    let slack = ULPS * scale.ulp(d.max(long), width);
+    let slack_of = |d: f64| ULPS * scale.ulp(d.max(long), width);
     let span = long + short;
     let missing = excess([dx, dy], [long, short]);
     if missing <= 0.0 {
-        return too_close([dx, dy], [long, short], slack, scale);
+        return too_close([dx, dy], [long, short], slack_of(distance([dx, dy])), scale);
     }
-    // Slack makes up for (span + slack)² − span². Twice that is beyond any rounding of it.
-    let is_clear = missing > 2.0 * (slack * (2.0 * span + slack));
-    if !is_clear && excess_with([dx, dy], [long, short, slack]) <= 0.0 {
+    // Slack makes up for (span + slack)² − span². Twice that is beyond any rounding of it. The distance is no longer
+    // than both sides, and its root is not waited for.
+    let most = slack_of(dx + dy);
+    let is_clear = missing > 2.0 * (most * (2.0 * span + most));
+    let d = distance([dx, dy]);
+    if !is_clear && excess_with([dx, dy], [long, short, slack_of(d)]) <= 0.0 {
         Reach::AtLimit
     } else {
         Reach::Beyond(scale.up(missing / (d + span)))
@@ -103,6 +105,7 @@ pub(crate) fn foot_on_line(d: [f64; 2], [l1, l2]: [f64; 2]) -> f64 {
 }
 
 /// Decides if (`dx`, `dy`) is at least |`e`| long.
+#[inline(never)]
 pub(crate) fn offset([dx, dy]: [f64; 2], e: f64, width: Width) -> Reach {
     let Some(scale) = Scale::of([dx, dy, e]) else {
         return Reach::NotFinite;
@@ -113,6 +116,7 @@ pub(crate) fn offset([dx, dy]: [f64; 2], e: f64, width: Width) -> Reach {
 }
 
 /// Decides if |`t`| ≤ |`l`|.
+#[inline(never)]
 pub(crate) fn line(t: f64, l: f64, width: Width) -> Reach {
     let Some(scale) = Scale::of([t, l]) else {
         return Reach::NotFinite;

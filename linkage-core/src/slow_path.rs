@@ -12,7 +12,7 @@ use crate::{Real, Record, SolveError};
 ///
 /// # Errors
 /// The first that is not so.
-#[cold]
+#[inline(always)]
 pub fn diagnose<T: Real, R: Record<Number = T> + Copy>(
     given: &[(T, &'static str)],
     formulas: impl FnOnce(&mut FirstError) -> R,
@@ -31,7 +31,7 @@ pub fn diagnose<T: Real, R: Record<Number = T> + Copy>(
 ///
 /// # Errors
 /// See [`diagnose`].
-#[cold]
+#[inline(always)]
 pub fn diagnose_in_part<T: Real, R: Record<Number = T> + Copy>(
     given: &[(T, &'static str)],
     formulas: impl FnOnce(&mut FirstError) -> R,
@@ -61,7 +61,7 @@ pub fn diagnose_in_part<T: Real, R: Record<Number = T> + Copy>(
 ///
 /// # Errors
 /// See [`diagnose`].
-#[cold]
+#[inline(always)]
 pub fn diagnose_all<T: Real, R: Copy, const N: usize>(
     given: &[(T, &'static str)],
     formulas: impl FnOnce(&mut FirstError) -> R,

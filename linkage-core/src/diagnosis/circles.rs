@@ -1,7 +1,8 @@
 //! Circles that have to meet.
 
 use super::{
-    Diagnosis, Square, behind_reach, is_certain, reached, restored, smallest_normal, width,
+    Diagnosis, Square, behind_reach, is_certain, is_full_square, reached, restored,
+    smallest_normal, width,
 };
 use crate::limit::{self, Reach};
 use crate::{Real, Scalar, SolveError};
@@ -21,18 +22,13 @@ use crate::{Real, Scalar, SolveError};
 #[derive(Clone, Copy, Debug)]
 pub struct ReachCircles<T>(pub [T; 6], pub &'static str);
 
-impl<T: Scalar> Diagnosis<T> for ReachCircles<T> {
+impl<T: Real> ReachCircles<T> {
+    /// The answer where rounding could have changed the sign, and the circles are not beyond reach.
     #[cold]
-    fn diagnose(self, value: T) -> Result<T, SolveError>
-    where
-        T: Real,
-    {
-        let Self([dx, dy, l1, l2, unit, spread], group) = self;
-        if is_certain(value, spread) {
-            return Ok(value);
-        }
+    #[inline(never)]
+    fn decided(self, value: T, reach: Reach) -> Result<T, SolveError> {
+        let Self([dx, dy, l1, l2, unit, _], group) = self;
         let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
-        let reach = limit::circles(d, lengths, width::<T>());
         let is_product_sound = 4.0 * lengths[0] * lengths[1] >= smallest_normal::<T>();
         if matches!(reach, Reach::Meets | Reach::AtLimit) && !is_product_sound {
             return Err(SolveError::NotFinite { name: group });
@@ -45,6 +41,25 @@ impl<T: Scalar> Diagnosis<T> for ReachCircles<T> {
             _ => value,
         };
         reached(value, &[dx, dy, l1, l2], reach, group)
+    }
+}
+
+impl<T: Scalar> Diagnosis<T> for ReachCircles<T> {
+    #[inline(always)]
+    fn diagnose(self, value: T) -> Result<T, SolveError>
+    where
+        T: Real,
+    {
+        let Self([dx, dy, l1, l2, _, spread], group) = self;
+        if is_certain(value, spread) {
+            return Ok(value);
+        }
+        let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
+        // The most frequent answer comes in registers.
+        match limit::circles(d, lengths, width::<T>()) {
+            Reach::Beyond(by) => Err(SolveError::OutOfReach { group, by }),
+            reach => self.decided(value, reach),
+        }
     }
 
     /// Against (l₁ + l₂)²/4l₁l₂ in squares of the unit: compensated values have no spread.
@@ -65,22 +80,28 @@ impl<T: Scalar> Diagnosis<T> for ReachCircles<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct ShareOfCentres<T>(pub [T; 6], pub &'static str);
 
-impl<T: Scalar> Diagnosis<T> for ShareOfCentres<T> {
+impl<T: Real> ShareOfCentres<T> {
+    /// The share where rounding could have changed the height's sign.
     #[cold]
+    #[inline(never)]
+    fn decided(self, value: T) -> T {
+        let [_, dx, dy, l1, l2, _] = self.0;
+        let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
+        match limit::circles(d, lengths, width::<T>()) {
+            Reach::Meets => restored(value, limit::foot(d, lengths)),
+            Reach::AtLimit => restored(value, limit::foot_on_line(d, lengths)),
+            Reach::Beyond(_) | Reach::Coincident | Reach::NotFinite => value,
+        }
+    }
+}
+
+impl<T: Scalar> Diagnosis<T> for ShareOfCentres<T> {
+    #[inline(always)]
     fn diagnose(self, value: T) -> Result<T, SolveError>
     where
         T: Real,
     {
-        let [height, dx, dy, l1, l2, spread] = self.0;
-        if is_certain(height, spread) {
-            return Ok(value);
-        }
-        let (d, lengths) = ([dx.value(), dy.value()], [l1.value(), l2.value()]);
-        Ok(match limit::circles(d, lengths, width::<T>()) {
-            Reach::Meets => restored(value, limit::foot(d, lengths)),
-            Reach::AtLimit => restored(value, limit::foot_on_line(d, lengths)),
-            Reach::Beyond(_) | Reach::Coincident | Reach::NotFinite => value,
-        })
+        Ok(if is_certain(self.0[0], self.0[5]) { value } else { self.decided(value) })
     }
 
     /// Nothing is refused here.
@@ -142,11 +163,20 @@ impl<T: Scalar> Diagnosis<T> for ReachDistances<T> {
 pub struct SquareOfCentres<T>(pub [T; 4], pub &'static str);
 
 impl<T: Scalar> Diagnosis<T> for SquareOfCentres<T> {
-    #[cold]
+    #[inline(always)]
     fn diagnose(self, value: T) -> Result<T, SolveError>
     where
         T: Real,
     {
+        if is_full_square(value) { Ok(value) } else { self.refused(value) }
+    }
+}
+
+impl<T: Real> SquareOfCentres<T> {
+    /// The reason why a square is none of full precision.
+    #[cold]
+    #[inline(never)]
+    fn refused(self, value: T) -> Result<T, SolveError> {
         let Self([dx, dy, l1, l2], group) = self;
         let refused = match Square(group).diagnose(value) {
             // [`ReachCircles`] tells whether the circles meet.

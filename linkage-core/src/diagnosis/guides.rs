@@ -13,14 +13,12 @@ use crate::{Real, Scalar, SolveError};
 #[derive(Clone, Copy, Debug)]
 pub struct ReachLine<T>(pub [T; 2], pub &'static str);
 
-impl<T: Scalar> Diagnosis<T> for ReachLine<T> {
+impl<T: Real> ReachLine<T> {
+    /// The answer where the line is not beyond reach.
     #[cold]
-    fn diagnose(self, value: T) -> Result<T, SolveError>
-    where
-        T: Real,
-    {
+    #[inline(never)]
+    fn decided(self, value: T, reach: Reach) -> Result<T, SolveError> {
         let Self([t, l], group) = self;
-        let reach = limit::line(t.value(), l.value(), width::<T>());
         // One unit in the last place from the limit the product is ε l², which full precision of l²
         // leaves in the normal range.
         let has_room = l.value() * l.value() >= T::smallest_square().value();
@@ -30,6 +28,20 @@ impl<T: Scalar> Diagnosis<T> for ReachLine<T> {
             return Err(SolveError::NotFinite { name: group });
         }
         reached(value, &[t, l], reach, group)
+    }
+}
+
+impl<T: Scalar> Diagnosis<T> for ReachLine<T> {
+    #[inline(always)]
+    fn diagnose(self, value: T) -> Result<T, SolveError>
+    where
+        T: Real,
+    {
+        let Self([t, l], group) = self;
+        match limit::line(t.value(), l.value(), width::<T>()) {
+            Reach::Beyond(by) => Err(SolveError::OutOfReach { group, by }),
+            reach => self.decided(value, reach),
+        }
     }
 
     /// Against t².
@@ -46,14 +58,16 @@ impl<T: Scalar> Diagnosis<T> for ReachLine<T> {
 pub struct ReachOffset<T>(pub [T; 3], pub &'static str);
 
 impl<T: Scalar> Diagnosis<T> for ReachOffset<T> {
-    #[cold]
+    #[inline(always)]
     fn diagnose(self, value: T) -> Result<T, SolveError>
     where
         T: Real,
     {
         let Self([bx, by, e], group) = self;
-        let reach = limit::offset([bx.value(), by.value()], e.value(), width::<T>());
-        reached(value, &[bx, by, e], reach, group)
+        match limit::offset([bx.value(), by.value()], e.value(), width::<T>()) {
+            Reach::Beyond(by) => Err(SolveError::OutOfReach { group, by }),
+            reach => reached(value, &[bx, by, e], reach, group),
+        }
     }
 
     /// Against e².

@@ -127,13 +127,19 @@ impl<T: Scalar> Diagnosis<T> for Square {
     where
         T: Real,
     {
-        let real = value.value();
-        if real == 0.0 {
-            Err(SolveError::Singular { group: self.0 })
-        } else if real.is_finite() && real >= T::smallest_square().value() {
+        if is_full_square(value) {
             Ok(value)
+        } else if value.value() == 0.0 {
+            Err(SolveError::Singular { group: self.0 })
         } else {
             Err(SolveError::NotFinite { name: self.0 })
         }
     }
+}
+
+/// True for a square in the range in which squares carry full precision.
+#[inline(always)]
+pub(super) fn is_full_square<T: Real>(value: T) -> bool {
+    let real = value.value();
+    real.is_finite() && real >= T::smallest_square().value()
 }
