@@ -225,6 +225,7 @@ pub mod both_directions {
 
 pub mod controllers {
     //! [measurements]: super::method_and_measurements#bounds-and-errors
+    //! [output]: super::statements#output
     //! [start]: super::start_in_c#your-own-machine
     //!
     #![doc = include_str!("../docs/controllers.md")]

@@ -5,7 +5,7 @@
 #include "flying_shear.h"
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0x8e0d7088u
+#if LINKAGE_RUN_TIME != 0xd8d294a9u
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 

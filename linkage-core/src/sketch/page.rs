@@ -45,7 +45,7 @@ use crate::Record;
 /// # }
 /// let page = Rocker::new().page().title("A rocker").range("crank", 0.05..=0.2).rate("theta", 12.0);
 /// let html = page.traces(["blade"]).curves(["blade", "DC"]).to_html()?;
-/// assert!(html.contains("<title>A rocker</title>") && !html.contains("src="));
+/// assert!(html.contains("<title>A rocker</title>") && !html.contains(" src="));
 /// # Ok::<(), linkage_core::sketch::SketchError>(())
 /// ```
 ///

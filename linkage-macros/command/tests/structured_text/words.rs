@@ -56,7 +56,7 @@ fn words_are_results_of_blocks() {
             }
             "EqualBars" => &["I : LinkagePoint;", "stroke : LREAL;"],
             _ => {
-                let told = printed.err().expect("it has a search");
+                let told = printed.expect_err("it has a search");
                 assert_eq!(
                     told[0].message,
                     "structured text has no search for `lower` of `ByTravel`"

@@ -250,8 +250,18 @@ static float divided(int count, float *rows)
     return power;
 }
 
-/* Finds the only solution. Returns the contact at which friction may hold itself, the count of contacts if there
- * is none. */
+/* True where no amount is beyond what pairs hold. */
+static int are_held(int count, const LinkagePair *amounts)
+{
+    int j, held = 1;
+    for (j = 0; j < count; j++) { /* at most MOST times */
+        held &= linkage_is_finitef(amounts[j].high);
+    }
+    return held;
+}
+
+/* Finds the only solution, infinite where amounts are beyond what pairs hold: then results are. Returns the contact at
+ * which friction may hold itself, the count of contacts if there is none. */
 static int solved(int count, unsigned guides, float *rows, float *found)
 {
     LinkagePair bounds[MOST][MOST] = { { { 0.0f, 0.0f } } }, slope[MOST][MOST] = { { { 0.0f, 0.0f } } };
@@ -277,7 +287,11 @@ static int solved(int count, unsigned guides, float *rows, float *found)
         newton(count, amounts, values, slope, amounts);
     }
     if (!met && !guarded(&s, start, bounds, amounts)) {
-        return 0;
+        linear(&s, amounts, values, slope);
+        if (are_held(count, amounts) && are_held(count, values)) {
+            return 0;
+        }
+        amounts[0] = plain(HUGE_VALF);
     }
     for (j = 0; j < count; j++) { /* at most MOST times */
         found[j] = amounts[j].high * power;
