@@ -6,7 +6,7 @@
 //! | module | what it decides |
 //! |---|---|
 //! | `plan` | which entry points compute for themselves |
-//! | `ranges` | how large values can become |
+//! | `ranges` | how large values can become, at all angles and on each arc |
 //! | `overflow`, `input_limits` | what is asked so that none overflows, and in which comparisons |
 //! | `witnesses` | which results stand for all |
 //! | `checks` | what a condition becomes |

@@ -45,7 +45,7 @@ struct WidthLimits {
 /// From what asks least to what asks most. A pose beyond the limits is not lost: the slow path
 /// finds what there is to find.
 const WIDE: [Assumed; 3] = [wide(1e60, 0.0), wide(1e60, 1e-30), wide(1e20, 1e-30)];
-const NARROW: [Assumed; 4] =
+pub(super) const NARROW: [Assumed; 4] =
     [narrow(1e6, 0.0), narrow(1e6, 1e-7), narrow(65_536.0, 1e-6), narrow(8192.0, 1e-5)];
 
 /// Squares of full precision begin at the smallest normal number over ε².
@@ -73,17 +73,28 @@ impl Overflow {
             return None;
         }
         let values = Values::new(graph, live);
-        let first = |ladder: &[Assumed]| {
+        let first = |ladder: &[Assumed], is_of_use: &dyn Fn(Id) -> bool| {
             let width = |assumed: &Assumed| {
-                let (thresholds, lengths) = values.thresholds(assumed)?;
+                let mut sizes = values.thresholds(assumed)?;
                 let is_small = |&least: &f64| least <= LARGEST_ASKED;
+                let (thresholds, lengths) = &sizes;
                 let is_met =
                     thresholds.values().flatten().all(is_small) && lengths.values().all(is_small);
-                is_met.then_some(WidthLimits { thresholds, lengths, input: assumed.input })
+                if !is_met {
+                    return None;
+                }
+                values.leave_out_those_of_every_arc(assumed, &mut sizes, is_of_use);
+                let (thresholds, lengths) = sizes;
+                Some(WidthLimits { thresholds, lengths, input: assumed.input })
             };
             ladder.iter().find_map(width)
         };
-        let (wide, narrow) = (first(&WIDE), first(&NARROW));
+        // A check that single precision needs stays.
+        let narrow = first(&NARROW, &|_| true);
+        let is_left_out = |id: Id| {
+            narrow.as_ref().is_some_and(|narrow| matches!(narrow.thresholds.get(&id), Some(None)))
+        };
+        let wide = first(&WIDE, &is_left_out);
         (wide.is_some() || narrow.is_some()).then_some(Self { wide, narrow })
     }
 

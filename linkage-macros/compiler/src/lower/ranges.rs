@@ -5,10 +5,16 @@
 //! inputs and the divisors, which are known early. An interval is widened by more than the
 //! rounding of either width at every node, so it holds for the computed values, not for the real
 //! ones alone.
+//!
+//! Arc by arc (`arcs`) more is shown than by one interval of all angles.
 
+mod arcs;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod whole_turns;
 
+use self::arcs::Arc;
 use super::interval::Interval;
 use crate::exact::Exact;
 use crate::function::{Function, HOOKED_SINE};
@@ -100,9 +106,11 @@ impl<'a> Values<'a> {
         error: f64,
         asked: Option<&AskedSizes>,
     ) -> Option<AskedSizes> {
-        let (graph, ranges) = (self.graph, self.constants.clone());
+        let (graph, ranges, arcs) = (self.graph, self.constants.clone(), &[][..]);
         let (thresholds, lengths) = (Map::default(), Map::default());
-        let mut bounds = Bounds { graph, limits, error, asked, ranges, thresholds, lengths };
+        let fails = false;
+        let mut bounds =
+            Bounds { graph, limits, error, asked, arcs, fails, ranges, thresholds, lengths };
         for &(id, node) in &self.live {
             let range = match bounds.of(id) {
                 Some(constant) => constant,
@@ -124,6 +132,10 @@ struct Bounds<'a> {
     error: f64,
     /// Sizes that are asked whatever is found here.
     asked: Option<&'a AskedSizes>,
+    /// Arcs of some inputs. Any other angle is possible.
+    arcs: &'a [Arc],
+    /// True if a condition fails for certain.
+    fails: bool,
     ranges: Vec<Option<Interval>>,
     thresholds: Thresholds,
     lengths: Map<Id, f64>,
@@ -136,6 +148,9 @@ impl Bounds<'_> {
 
     fn range(&mut self, id: Id, node: Node) -> Option<Interval> {
         let limits = self.limits;
+        if let Some(range) = self.on_arc(node) {
+            return Some(range);
+        }
         Some(match node {
             Node::Constant(_) | Node::Low(_) => return None,
             Node::Input { order: 0 | 1, .. } => Interval::about(limits.input),
@@ -226,15 +241,18 @@ impl Bounds<'_> {
         let known = if comparison == Comparison::Away { range.away } else { range.low };
         // No threshold is below zero.
         let threshold = (known <= least).then_some(least);
-        if range.largest() <= least {
-            return None;
-        }
         let asked = self.thresholds.or_insert(id, threshold);
         // Asked more than once, a value is asked for the most.
         *asked = match (*asked, threshold) {
             (Some(one), Some(other)) => Some(one.max(other)),
             (one, other) => one.or(other),
         };
+        // A value that is above zero at no angle at all is the concern of what finds limits.
+        let is_below = comparison != Comparison::Away && !self.arcs.is_empty();
+        if (if is_below { range.high } else { range.largest() }) <= least {
+            self.fails = true;
+            return None;
+        }
         Some(match (threshold, comparison) {
             (None, _) => range,
             (Some(least), Comparison::Away) => Interval { away: least, ..range },

@@ -50,6 +50,25 @@ impl Sample {
         self.push(Node::Add(a, product))
     }
 
+    /// True if a value is asked over whole turns.
+    fn is_asked_on_some_arc(&self, value: Id) -> bool {
+        let values = Values::new(&self.graph, &vec![true; self.graph.len()]);
+        let mut sizes = values.thresholds(&WIDE).expect("all is bounded");
+        assert!(sizes.0[&value].is_some(), "one interval shows it");
+        values.leave_out_those_of_every_arc(&WIDE, &mut sizes, |_| true);
+        sizes.0[&value].is_some()
+    }
+
+    fn of_angle(&mut self, function: Function, angle: Id, factor: f64) -> Id {
+        let (value, factor) = (self.push(Node::Apply(function, angle)), self.number(factor));
+        self.push(Node::Mul(factor, value))
+    }
+
+    fn sum(&mut self, terms: &[Id]) -> Id {
+        let (first, rest) = terms.split_first().expect("terms");
+        rest.iter().fold(*first, |sum, &term| self.push(Node::Add(sum, term)))
+    }
+
     fn thresholds(&self, limits: &Assumed) -> Option<Thresholds> {
         Values::new(&self.graph, &vec![true; self.graph.len()])
             .thresholds(limits)
@@ -210,4 +229,65 @@ fn a_hypotenuse_is_at_least_a_share_of_its_largest() {
 #[test]
 fn roundings_are_counted_as_at_run_time() {
     assert_eq!(ROUNDINGS, linkage_core::private::ROUNDINGS);
+}
+
+/// Extremes of a sum of a cosine and a sine are found within what a target's sine may be wrong by, whatever the angle at
+/// which they lie; a value that fails somewhere is asked.
+#[test]
+fn an_amplitude_is_known_on_arcs() {
+    for (a, b) in [(3.0, 4.0), (-4.0, 3.0), (3.0, -4.0), (-3.0, -4.0), (0.3, 5.0)] {
+        let amplitude = f64::hypot(a, b);
+        // Both factors times a 1024th, and twice that for arcs of a 1024th of a turn.
+        for (mean, is_asked) in [(1.01, false), (1.006, false), (1.0005, true), (0.99, true)] {
+            let mut sample = sample();
+            let angle = sample.angle;
+            let terms = [
+                sample.of_angle(Function::Cos, angle, a),
+                sample.of_angle(Function::Sin, angle, b),
+                sample.number(amplitude * mean),
+            ];
+            let sum = sample.sum(&terms);
+            sample.guard(sum, Check::ReachCircles);
+            assert_eq!(sample.is_asked_on_some_arc(sum), is_asked, "{a} {b} {mean}");
+        }
+    }
+}
+
+/// cos q cos r + sin q sin r is the cosine of the difference. More than two inputs are not cut into arcs.
+#[test]
+fn two_inputs_are_known_on_arcs() {
+    for (mean, is_asked) in [(1.5, false), (0.9, true)] {
+        let mut sample = sample();
+        let (q, r) = (sample.angle, sample.push(Node::Input { input: 1, order: 0 }));
+        let products = [Function::Cos, Function::Sin].map(|function| {
+            let (x, y) = (sample.of_angle(function, q, 1.0), sample.of_angle(function, r, 1.0));
+            sample.push(Node::Mul(x, y))
+        });
+        let mean = sample.number(mean);
+        let sum = sample.sum(&[products[0], products[1], mean]);
+        sample.guard(sum, Check::ReachCircles);
+        assert_eq!(sample.is_asked_on_some_arc(sum), is_asked, "{mean:?}");
+        let third = sample.push(Node::Input { input: 2, order: 0 });
+        sample.push(Node::Apply(Function::Cos, third));
+        assert!(sample.is_asked_on_some_arc(sum));
+    }
+}
+
+/// A condition need not hold behind another one where that fails, and the other one is asked.
+#[test]
+fn what_fails_behind_another_condition_is_not_asked() {
+    for (inner, is_asked) in [(0.05, false), (-0.2, true)] {
+        let mut sample = sample();
+        let first = sample.affine(-0.1, 1.0);
+        let reached = sample.guard(first, Check::ReachCircles);
+        // cos q + inner, above zero wherever cos q is above 0.1.
+        let number = sample.number(0.1 + inner);
+        let second = sample.push(Node::Add(reached, number));
+        sample.guard(second, Check::Square);
+        assert!(sample.is_asked_on_some_arc(first));
+        let values = Values::new(&sample.graph, &vec![true; sample.graph.len()]);
+        let mut sizes = values.thresholds(&WIDE).expect("all is bounded");
+        values.leave_out_those_of_every_arc(&WIDE, &mut sizes, |_| true);
+        assert_eq!(sizes.0[&second].is_some(), is_asked, "{inner}");
+    }
 }
