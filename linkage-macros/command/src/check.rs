@@ -1,9 +1,8 @@
 //! The verb `check`: mistakes and notes.
 
-use std::collections::HashSet;
 use std::path::PathBuf;
 
-use linkage_compiler::{Diagnostic, Level, Options, compile};
+use linkage_compiler::Diagnostic;
 use serde_json::{Value, json};
 
 use crate::arguments::Check;
@@ -22,18 +21,15 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
         all.extend(declarations.into_iter().map(|declaration| (program, declaration)));
     }
     let (mut report, mut values) = (Report::default(), Vec::new());
-    let mut told = HashSet::new();
+    let mut told: Vec<(&PathBuf, Diagnostic)> = Vec::new();
     for (program, declaration) in &all {
-        let output = compile(declaration.tokens.clone(), &Options::default());
-        let mut found = [output.diagnostics, output.notes].concat();
+        let mut found = linkage_compiler::check(declaration.tokens.clone());
         // A mistake that sets of inputs share is told once, and of those that they find at one place the first.
-        let path = &program.path;
-        let place = |one: &Diagnostic| {
-            let what = if one.level == Level::Mistake { String::new() } else { format!("{one:?}") };
-            (path.clone(), [one.first, one.last].map(|span| span.byte_range()), what)
+        let is_told = |one: &Diagnostic| {
+            told.iter().any(|(path, other)| *path == &program.path && one.is_told_by(other))
         };
-        found.retain(|one| !told.contains(&place(one)));
-        told.extend(found.iter().map(place));
+        found.retain(|one| !is_told(one));
+        told.extend(found.iter().map(|one| (&program.path, one.clone())));
         if arguments.json {
             let told = found.iter().map(|one| value(one, &program.place(declaration, one)));
             values.push(json!({

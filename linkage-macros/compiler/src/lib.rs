@@ -98,7 +98,7 @@ pub use ir::posing::{Conditions, GuardedValue, SoughtRoot};
 pub use model::PlanarQuantity;
 pub use pipeline::{
     DrawnPose, File, Options, Output, PlanarBodies, PlanarBody, PlanarGuide, PlanarInput,
-    PlanarSpring, PlanarStop, WrittenValue, c, c_transfers, compile, drawing, fmu, page,
+    PlanarSpring, PlanarStop, WrittenValue, c, c_transfers, check, compile, drawing, fmu, page,
     planar_bodies, quantity, report, st,
 };
 pub use report::{

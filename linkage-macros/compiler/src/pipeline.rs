@@ -109,6 +109,30 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     }
 }
 
+/// The mistakes in a declaration in the order of the source; the remarks on one without. They are those of [`compile`],
+/// and no code is made.
+///
+/// ```
+/// let source = "pub struct Crank { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 2, angle: u } }";
+/// let told = linkage_compiler::check(source.parse().expect("these are tokens"));
+/// assert_eq!(told[0].message, "nothing is named `u`");
+/// ```
+pub fn check(source: TokenStream) -> Vec<Diagnostic> {
+    let _atoms = AtomScope::begin();
+    let mut diagnostics = Diagnostics::new();
+    if let Some(parsed) = parsed(source.clone(), &mut diagnostics) {
+        if parsed.means_all_sets() {
+            let options = Options::default();
+            let Output { diagnostics, notes, .. } =
+                several_sets::compile(&parsed, (&source, &options), diagnostics);
+            return [diagnostics, notes].concat();
+        }
+        let _ = resolved(&parsed.driven(), &mut diagnostics);
+    }
+    let notes = diagnostics.take_notes();
+    diagnostics.finish().map_or_else(|Failure(mistakes)| mistakes, |()| notes)
+}
+
 /// The texts that the page of a declaration is made of: `linkage_core::sketch` puts them together.
 ///
 /// # Errors

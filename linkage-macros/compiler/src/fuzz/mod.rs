@@ -13,7 +13,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use proc_macro2::{TokenStream, TokenTree};
 
 use crate::diagnostics::{Diagnostic, Diagnostics};
-use crate::pipeline::Options;
+use crate::pipeline::{Options, Output};
 use crate::{model, pipeline, syntax};
 use mangle::Mangler;
 
@@ -61,7 +61,13 @@ impl Tally {
             }
         }
         let output = catch_unwind(AssertUnwindSafe(|| {
-            pipeline::compile(source.clone(), &Options::ALL).tokens
+            let Output { tokens, diagnostics, notes } =
+                pipeline::compile(source.clone(), &Options::ALL);
+            let text =
+                |found: &[Diagnostic]| found.iter().map(Diagnostic::text).collect::<Vec<_>>();
+            let checked = pipeline::check(source.clone());
+            assert_eq!(text(&checked), text(&[diagnostics, notes].concat()), "{source}");
+            tokens
         }));
         let output = output.unwrap_or_else(|_| panic!("the compiler panicked on\n{source}"));
         if let Err(error) = syn::parse2::<syn::File>(output.clone()) {

@@ -207,7 +207,9 @@ pub(super) fn notes(machine: &str, changes: &[(&str, &str)]) -> String {
     let source = changed(machine, changes).expect("all of them are there");
     let output = pipeline::compile(tokens(&source), &Options::NONE);
     assert!(output.diagnostics.is_empty(), "{:?}", output.diagnostics);
-    told(&output.notes, &source, 0..source.len())
+    let told = |notes: &[Diagnostic]| told(notes, &source, 0..source.len());
+    assert_eq!(told(&pipeline::check(tokens(&source))), told(&output.notes));
+    told(&output.notes)
 }
 
 /// The statements that a message proposes are statements: each is read without a mistake, dots standing for a number.
