@@ -46,13 +46,6 @@ fn placed<P: Parameters<Number = f64>, T: Scalar>(
     })
 }
 
-/// The base unit of a parameter; none for a plain number.
-fn unit<P: Parameters>(name: &str) -> &'static str {
-    let mut named = P::NAMES.iter().zip(P::UNITS.split(' '));
-    let found = named.find(|(own, _)| **own == name).map_or("1", |(_, unit)| unit);
-    if found == "1" { "" } else { found }
-}
-
 impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
     /// A machine with these parameters free, whose declared values are the first start: what
     /// [`free!`](crate::free) writes for names that rustc checks. Parameters that are not named, and modes, stay as
@@ -61,8 +54,13 @@ impl<'a, M: 'a, F, const N: usize> Design<'a, M, F, N> {
     where
         P: Parameters<Number = f64, On<Dual<N>> = M, On<f64> = F> + Send + Sync + 'a,
     {
-        let declared = names.map(|name| machine.parameter(name).unwrap_or(f64::NAN));
-        let units = names.map(|name| unit::<P>(name));
+        let (mut declared, mut units) = ([f64::NAN; N], [""; N]);
+        machine.each(|own, unit, value| {
+            for place in (0..N).filter(|&place| names[place] == own) {
+                declared[place] = value;
+                units[place] = if unit == "1" { "" } else { unit };
+            }
+        });
         // The place of each parameter of the machine among those that are free.
         let places: Vec<_> =
             P::NAMES.iter().map(|own| names.iter().position(|name| name == own)).collect();

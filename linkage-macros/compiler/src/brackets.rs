@@ -1,6 +1,5 @@
 //! Which bracket of a text is at fault, where the text is no sequence of tokens.
 
-use std::iter::repeat_n;
 use std::ops::Range;
 
 /// The first bracket that is not closed or that closes nothing: its bytes, and what is wrong with it. Brackets in comments
@@ -63,8 +62,7 @@ fn skipped(text: &str) -> usize {
             if !is_raw {
                 return name;
             }
-            let end: String = repeat_n('"', 1).chain(repeat_n('#', marks)).collect();
-            until(&end, name + marks + 1).unwrap_or(whole)
+            until(&format!("\"{}", "#".repeat(marks)), name + marks + 1).unwrap_or(whole)
         }
     }
 }

@@ -114,7 +114,7 @@ fn parts_of(sets: &[TokenStream]) -> Result<Vec<PageParts>, Vec<Diagnostic>> {
         match linkage_compiler::page(set.clone()) {
             Ok(own) => parts.push(own),
             Err(mut own) => {
-                own.retain(|one| !mistakes.iter().any(|other: &Diagnostic| other.is_at(one)));
+                own.retain(|one: &Diagnostic| !mistakes.iter().any(|other| one.is_told_by(other)));
                 mistakes.extend(own);
             }
         }

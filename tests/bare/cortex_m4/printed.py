@@ -21,6 +21,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 HERE = ROOT / "tests/bare/cortex_m4"
+# What a script ends with that cannot be run on this machine.
+CANNOT_BE_RUN = 77
 MOST = 270
 LARGEST = 8000
 FLAGS = ["-std=c99", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard", "-ffunction-sections",
@@ -105,7 +107,7 @@ def tools():
     missing = [name for name in ("arm-none-eabi-gcc", "qemu-system-arm") if not shutil.which(name)]
     if missing:
         print(f"left out: no {' and no '.join(missing)}", file=sys.stderr)
-        raise SystemExit(77)
+        raise SystemExit(CANNOT_BE_RUN)
 
 
 def main():

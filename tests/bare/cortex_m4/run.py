@@ -16,13 +16,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import printed
+
 ROOT = Path(__file__).resolve().parents[3]
 HERE = ROOT / "tests/bare/cortex_m4"
 WORK = ROOT / "target/cortex_m4"
 TARGET = "thumbv7em-none-eabihf"
-
-
-CANNOT_BE_RUN = 77
 
 
 def cargo(*arguments, **environment):
@@ -36,7 +35,7 @@ def fetch(**environment):
         cargo("fetch", "--quiet", "-Zbuild-std=core", "--target", TARGET, **environment)
     except (OSError, subprocess.CalledProcessError):
         print("left out: no nightly toolchain, no sources of Rust, or not the packages that are needed", file=sys.stderr)
-        raise SystemExit(CANNOT_BE_RUN)
+        raise SystemExit(printed.CANNOT_BE_RUN)
 
 
 def main():

@@ -1,6 +1,6 @@
 //! Mistakes in other words, and those of several readings of one declaration.
 
-use super::{Diagnostic, Diagnostics, Extent, place};
+use super::{Diagnostic, Diagnostics, Extent, Level, place};
 
 impl Diagnostic {
     /// True if it says the same as another at the same place.
@@ -8,9 +8,19 @@ impl Diagnostic {
         place(self.first) == place(other.first) && self.text() == other.text()
     }
 
-    /// True if it is about the same tokens as another.
+    /// True if another set of inputs, which is read earlier, has said it: a mistake at the same tokens, or a note in the same
+    /// words.
     #[must_use]
-    pub fn is_at(&self, other: &Self) -> bool {
+    pub fn is_told_by(&self, earlier: &Self) -> bool {
+        match (self.level, earlier.level) {
+            (Level::Mistake, Level::Mistake) => self.is_at(earlier),
+            (Level::Note, Level::Note) => self.is_at(earlier) && self.is(earlier),
+            (Level::Mistake, Level::Note) | (Level::Note, Level::Mistake) => false,
+        }
+    }
+
+    /// True if it is about the same tokens as another.
+    pub(crate) fn is_at(&self, other: &Self) -> bool {
         [(self.first, other.first), (self.last, other.last)]
             .iter()
             .all(|(a, b)| place(*a) == place(*b))

@@ -175,3 +175,54 @@ fn the_limit_of_a_carried_link_is_told_by_the_links_that_are_drawn() {
         "{told:?}"
     );
 }
+
+/// Links of given angle, in a row and on each other, whichever links the drives read: in the drawing every angle is the one
+/// that is drawn, within half a turn.
+#[test]
+fn carried_links_count_no_turn_in_the_drawing() {
+    let [tau, pi] = [std::f64::consts::TAU, std::f64::consts::PI];
+    let on = |[x, y]: [f64; 2], size: f64, degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        [x + size * cos, y + size * sin]
+    };
+    let drives = [
+        "drive second.angle = v; drive second.angle - first.angle = u;",
+        "drive first.angle = v; drive first.angle - second.angle = u;",
+        "drive second.angle = v; drive first.angle - second.angle = u;",
+    ];
+    for case in 0..36 {
+        let [first, second, arm] = [(7, -163.0), (5, 91.0), (11, 14.0)]
+            .map(|(step, from)| from + 30.0 * f64::from(step * case));
+        let b = [0.4, 1.0];
+        let p = on(b, 0.6, first);
+        let c = on(p, 0.7, second);
+        let (d, x) = (on(c, 1.3, -20.0), on(p, 0.5, arm));
+        let pin = |name: &str, [x, y]: [f64; 2]| format!("pin {name}({x:?}m, {y:?}m);");
+        let statements = format!(
+            "input u, v, w: angle; ground A(0, 0), D({:?}m, {:?}m); {} {} {} {} {}
+             link front(A, B), first(B, P), second(P, C), rear(D, C), arm(X, P);
+             drive arm.angle - first.angle = w; output first.angle, second.angle, arm.angle;",
+            d[0],
+            d[1],
+            pin("B", b),
+            pin("P", p),
+            pin("C", c),
+            pin("X", x),
+            drives[case as usize % 3],
+        );
+        let machine = of(&statements);
+        assert!(machine.mechanism.unknowns.is_empty(), "{statements}");
+        let drawn = machine.mechanism.drawn.clone().expect("the drives determine the inputs");
+        let inputs: Vec<_> = drawn.iter().map(|&drawn| [drawn, 0.0, 0.0]).collect();
+        let answers = machine.answers("motion", &inputs);
+        for (name, degrees) in [("first", first), ("second", second), ("arm", arm + 180.0)] {
+            let found = answers.angle(&format!("{name}.angle"));
+            let wanted = degrees.to_radians();
+            let off = found - (wanted - tau * (wanted / tau).round());
+            assert!(
+                found.abs() < pi + CLOSED && off.abs() < CLOSED,
+                "{statements} {name}: {found}"
+            );
+        }
+    }
+}

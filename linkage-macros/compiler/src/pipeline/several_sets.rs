@@ -65,7 +65,7 @@ fn resolved_all(
     let (resolved, found): (Vec<_>, Vec<_>) = resolved.unzip();
     for (nth, (driving, own)) in drivings.iter().zip(&found).enumerate() {
         let before = || found[..nth].iter().flatten();
-        let is_new = |mistake: &&Diagnostic| !before().any(|other| other.is_at(mistake));
+        let is_new = |mistake: &&Diagnostic| !before().any(|other| mistake.is_told_by(other));
         let told = own.iter().filter(is_new).map(|mistake| {
             let is_of_all =
                 found.iter().all(|other| other.iter().any(|other| other.is_at(mistake)));

@@ -119,3 +119,75 @@ fn the_farther_end_of_a_motion_of_nearly_a_turn_is_cut() {
         assert!(trace.closes.is_none());
     }
 }
+
+/// The widths about a root that are looked at on either side.
+const PARTS: u32 = 400;
+
+/// On one side of a root: the least width at which something cannot be assembled or another root of the trend lies, and
+/// whether it is such a root, behind a stretch against the trend that steps of 15 % do not miss.
+fn end_beside(
+    mut residual: impl FnMut(f64) -> Option<f64>,
+    (root, side, rises): (f64, f64, bool),
+    most: f64,
+) -> (f64, bool) {
+    let mut turned_back: Option<f64> = None;
+    for width in (1..PARTS).map(|part| most * f64::from(part) / f64::from(PARTS)) {
+        let Some(now) = residual(root + side * width) else { return (width, false) };
+        let has_its_sign = (now > 0.0) == ((side > 0.0) == rises);
+        match turned_back {
+            Some(from) if has_its_sign && width > 1.4 * from => return (width, true),
+            // Too narrow a stretch to be asked for.
+            Some(_) if has_its_sign => return (f64::NAN, false),
+            None if !has_its_sign => turned_back = Some(width),
+            _ => {}
+        }
+    }
+    (most, false)
+}
+
+/// A root is alone up to the next one of its trend on either side, and no nearer: the one between, where the equation
+/// turns back, is told apart by its slope.
+#[test]
+fn a_root_is_alone_up_to_the_next_of_its_trend() {
+    let mut seed = 17_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut asked, mut by_a_root) = (0, 0);
+    for nth in 0..84 {
+        let machine = drawn_at([(); 4].map(|()| [5.0 * random() - 0.5, 4.0 * random()]));
+        // Those of few machines lie so near, and are not too near to be told.
+        if nth % 12 != 0 && ![38, 73, 80].contains(&nth) {
+            continue;
+        }
+        let (crank, all) = with_trends(&machine);
+        let [way] = &Way::all(&machine)[..] else { panic!("a crank alone drives it") };
+        for search in all.iter().step_by(3) {
+            let trace = Trace::of(&machine, &crank, search, way);
+            for sample in trace.samples.iter().step_by(3) {
+                let most = 0.3 * search.unit(&machine);
+                let alone = trace.width_alone(search, sample);
+                let ends = [-1.0, 1.0].map(|side| {
+                    let from = (sample.unknown, side, search.rises);
+                    end_beside(trace.residuals(search, sample), from, most)
+                });
+                if alone == 0.0 || ends.iter().any(|(end, _)| end.is_nan()) {
+                    continue;
+                }
+                let (end, is_root) = if ends[0].0 < ends[1].0 { ends[0] } else { ends[1] };
+                // Widths grow by 15 %, and the ends are found to a part of the greatest one.
+                let off = most / f64::from(PARTS);
+                assert!(alone < end + off, "{search:?} at {}: {alone} of {end}", sample.drive);
+                assert!(
+                    alone > end / 1.16 - off,
+                    "{search:?} at {}: {alone} of {end}",
+                    sample.drive
+                );
+                asked += 1;
+                by_a_root += usize::from(is_root);
+            }
+        }
+    }
+    assert!(asked > 300 && by_a_root > 5, "{by_a_root} of {asked}");
+}

@@ -87,9 +87,12 @@ pub(super) fn units_of_operands(
     rest: &[(Operator, Scalar)],
     unit: DeclaredUnit,
 ) -> Vec<DeclaredUnit> {
+    if rest.is_empty() {
+        return vec![unit];
+    }
     let is_sum = |sign: Operator| matches!(sign, Operator::Add | Operator::Sub);
     let Some(last_sum) = rest.iter().rposition(|(sign, _)| is_sum(*sign)) else {
-        return units_of_factors(mechanism, first, rest, unit);
+        return units_of_powers(mechanism, power(mechanism, first), rest, unit);
     };
     let (sum, factors) = rest.split_at(last_sum + 1);
     let of_sum = power_of_chain(mechanism, first, sum);
@@ -107,21 +110,8 @@ pub(super) fn units_of_operands(
     units
 }
 
-/// The units of factors and divisors that have this unit together.
-fn units_of_factors(
-    mechanism: &Mechanism,
-    first: &Scalar,
-    rest: &[(Operator, Scalar)],
-    unit: DeclaredUnit,
-) -> Vec<DeclaredUnit> {
-    if rest.is_empty() {
-        return vec![unit];
-    }
-    units_of_powers(mechanism, power(mechanism, first), rest, unit)
-}
-
-/// The same, where the first factor has this power of a length: the first constant that can have it has what is left by the
-/// others.
+/// The units of factors and divisors that have this unit together, the first of which has this power of a length: the first
+/// constant that can have it has what is left by the others.
 fn units_of_powers(
     mechanism: &Mechanism,
     first: Option<i32>,

@@ -185,16 +185,17 @@ fn steady_equation(random: &mut Random, is_single: bool) -> [f64; 9] {
     x.map(rounded)
 }
 
+/// Calls of one of the functions with such equations.
+fn steady_calls(random: &mut Random, (is_single, which): (bool, i32), count: usize) -> Vec<Call> {
+    let call = |_| Call { which: FIRST + which, is_single, x: steady_equation(random, is_single) };
+    (0..count).map(call).collect()
+}
+
 /// The search by C where the slope is known to have one sign, beside a survey of the crate.
 fn steady_roots_agree(programs: &[Program], count: usize) {
     let mut random = Random(37);
     for (is_single, which) in [(false, 32), (false, 33), (true, 32), (true, 33)] {
-        let call = |_| Call {
-            which: FIRST + which,
-            is_single,
-            x: steady_equation(&mut random, is_single),
-        };
-        let calls: Vec<Call> = (0..count).map(call).collect();
+        let calls = steady_calls(&mut random, (is_single, which), count);
         let expected = compare(programs, &calls, |call| match is_single {
             false => expected::<f64>(call),
             true => expected::<f32>(call),
@@ -218,12 +219,7 @@ fn ends<T: Real>(call: &Call, way: f64) -> [[f64; 2]; 2] {
 fn steady_refusals_ask_the_ends_alone(programs: &[Program], count: usize) {
     let mut random = Random(41);
     for (is_single, which) in [(false, 96), (false, 97), (true, 96), (true, 97)] {
-        let call = |_| Call {
-            which: FIRST + which,
-            is_single,
-            x: steady_equation(&mut random, is_single),
-        };
-        let calls: Vec<Call> = (0..count).map(call).collect();
+        let calls = steady_calls(&mut random, (is_single, which), count);
         let way = if which & 1 == 0 { 1.0 } else { -1.0 };
         for program in programs {
             let (mut by_ends, mut by_more) = (0, 0);

@@ -44,10 +44,21 @@ impl GroupFrames<'_, '_> {
         body: usize,
         reference: usize,
     ) -> f64 {
-        let value = self.bodies.driven[drive];
-        let sign = if self.bodies.machine.drives[drive].bodies[0] == body { 1.0 } else { -1.0 };
+        self.counted_by_drives(&[[drive, body]], reference)
+    }
+
+    /// The angle of the first of several bodies, each of which a drive turns against the next and the last one against a
+    /// reference.
+    pub(in crate::model::drawn) fn counted_by_drives(
+        &self,
+        drives: &[[usize; 2]],
+        reference: usize,
+    ) -> f64 {
         let from = if reference == GROUND { 0.0 } else { self.counted_as_written(reference) };
-        from + sign * value
+        drives.iter().fold(from, |angle, &[drive, body]| {
+            let is_first = self.bodies.machine.drives[drive].bodies[0] == body;
+            angle + if is_first { 1.0 } else { -1.0 } * self.bodies.driven[drive]
+        })
     }
 
     /// The direction of a guide in the frame that the body on it has by now.

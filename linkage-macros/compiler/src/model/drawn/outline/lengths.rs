@@ -93,11 +93,16 @@ fn differing<'t>(bodies: &Bodies<'t>) -> Vec<Differing<'t>> {
     differing.collect()
 }
 
+/// A number to four digits.
+pub(in crate::model::drawn) fn to_four_digits(value: f64) -> String {
+    let digits = (3.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 9.0) as usize;
+    format!("{value:.digits$}")
+}
+
 /// A length to four digits.
 pub(in crate::model::drawn) fn in_words(metres: f64) -> String {
     let (value, unit) = if metres.abs() < 1.0 { (metres * 1e3, "mm") } else { (metres, "m") };
-    let digits = (3.0 - value.abs().max(1e-9).log10().floor()).clamp(0.0, 9.0) as usize;
-    let text = format!("{value:.digits$}");
+    let text = to_four_digits(value);
     let text = match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.'),
         false => &text,

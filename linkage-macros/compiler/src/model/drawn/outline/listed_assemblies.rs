@@ -5,6 +5,7 @@ use crate::chain::cutting::{Found, SearchedGroup};
 use crate::diagnostics::Diagnostics;
 
 use crate::model::drawn::outline::bodies::Bodies;
+use crate::model::drawn::outline::lengths::to_four_digits;
 
 /// Notes how many assemblies each group of class III has where it is drawn, if that is proved.
 pub(in crate::model::drawn) fn note_assemblies(
@@ -48,7 +49,5 @@ fn note(
 
 /// An angle to four digits.
 pub(in crate::model::drawn) fn angle_in_words(radians: f64) -> String {
-    let degrees = radians.to_degrees();
-    let digits = (3.0 - degrees.abs().max(1e-9).log10().floor()).clamp(0.0, 9.0) as usize;
-    format!("{degrees:.digits$}°")
+    format!("{}°", to_four_digits(radians.to_degrees()))
 }

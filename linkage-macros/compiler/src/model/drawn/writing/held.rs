@@ -204,20 +204,8 @@ impl Writer<'_, '_> {
         let drive = carried.drives.first().map(|[drive, _]| *drive);
         let leg = (body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone());
         self.group("crank", &[leg], None, fields, drive);
-        self.settle_about(body, pivot, self.counted_by_drives(carried));
-    }
-
-    /// The angle of a carried link in the drawing, with the turns that its drives count.
-    fn counted_by_drives(&self, carried: &Carried) -> f64 {
-        let mut angle = match carried.reference {
-            GROUND => 0.0,
-            reference => self.frames.counted_as_written(reference),
-        };
-        for &[drive, body] in &carried.drives {
-            let sign = if self.bodies.machine.drives[drive].bodies[0] == body { 1.0 } else { -1.0 };
-            angle += sign * self.bodies.driven[drive];
-        }
-        angle
+        let counted = self.frames.counted_by_drives(&carried.drives, carried.reference);
+        self.settle_about(body, pivot, counted);
     }
 
     /// The frame of a link as it is written, at a pin that is made.
