@@ -177,15 +177,6 @@ impl Function {
         self.row().measures
     }
 
-    /// The angle by which an argument is turned so that the function is its cosine, of those that are one.
-    pub(crate) const fn as_cosine(self) -> Option<f64> {
-        match self {
-            Self::Cos => Some(0.0),
-            Self::Sin => Some(-std::f64::consts::FRAC_PI_2),
-            _ => None,
-        }
-    }
-
     /// The largest magnitude of a value, rounding aside; `None` where it depends on the argument.
     pub(crate) const fn largest(self) -> Option<f64> {
         self.row().largest

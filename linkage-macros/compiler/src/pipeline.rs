@@ -120,14 +120,14 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
 pub fn check(source: TokenStream) -> Vec<Diagnostic> {
     let _atoms = AtomScope::begin();
     let mut diagnostics = Diagnostics::new();
-    if let Some(parsed) = parsed(source.clone(), &mut diagnostics) {
-        if parsed.means_all_sets() {
-            let options = Options::default();
-            let Output { diagnostics, notes, .. } =
-                several_sets::compile(&parsed, (&source, &options), diagnostics);
-            return [diagnostics, notes].concat();
+    match parsed(source, &mut diagnostics) {
+        Some(sets) if sets.means_all_sets() => {
+            several_sets::resolved_all(&sets, &mut diagnostics);
         }
-        let _ = resolved(&parsed.driven(), &mut diagnostics);
+        Some(one) => {
+            let _ = resolved(&one.driven(), &mut diagnostics);
+        }
+        None => {}
     }
     let notes = diagnostics.take_notes();
     diagnostics.finish().map_or_else(|Failure(mistakes)| mistakes, |()| notes)

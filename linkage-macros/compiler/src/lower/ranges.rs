@@ -14,7 +14,7 @@ mod tests;
 #[cfg(test)]
 mod whole_turns;
 
-use self::arcs::Arc;
+use self::arcs::Arcs;
 use super::interval::Interval;
 use crate::exact::Exact;
 use crate::function::{Function, HOOKED_SINE};
@@ -106,7 +106,7 @@ impl<'a> Values<'a> {
         error: f64,
         asked: Option<&AskedSizes>,
     ) -> Option<AskedSizes> {
-        let (graph, ranges, arcs) = (self.graph, self.constants.clone(), &[][..]);
+        let (graph, ranges, arcs) = (self.graph, self.constants.clone(), None);
         let (thresholds, lengths) = (Map::default(), Map::default());
         let fails = false;
         let mut bounds =
@@ -133,7 +133,7 @@ struct Bounds<'a> {
     /// Sizes that are asked whatever is found here.
     asked: Option<&'a AskedSizes>,
     /// Arcs of some inputs. Any other angle is possible.
-    arcs: &'a [Arc],
+    arcs: Option<Arcs<'a>>,
     /// True if a condition fails for certain.
     fails: bool,
     ranges: Vec<Option<Interval>>,
@@ -248,7 +248,7 @@ impl Bounds<'_> {
             (one, other) => one.or(other),
         };
         // A value that is above zero at no angle at all is the concern of what finds limits.
-        let is_below = comparison != Comparison::Away && !self.arcs.is_empty();
+        let is_below = comparison != Comparison::Away && self.arcs.is_some();
         if (if is_below { range.high } else { range.largest() }) <= least {
             self.fails = true;
             return None;

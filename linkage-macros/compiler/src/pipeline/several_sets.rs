@@ -16,16 +16,12 @@ use crate::model::{DrivenBySet, Stub};
 
 /// Compiles the declaration once a set.
 pub(super) fn compile(
-    Parsed { tree, drivings, are_well, .. }: &Parsed,
+    parsed: &Parsed,
     (source, options): (&TokenStream, &Options),
     mut diagnostics: Diagnostics,
 ) -> Output {
-    let reported = diagnostics.count();
-    let resolved = resolved_all(drivings, &mut diagnostics);
-    if !are_well {
-        // More mistakes would only follow from those of the sets.
-        diagnostics.forget_since(reported);
-    }
+    let Parsed { tree, drivings, .. } = parsed;
+    let resolved = resolved_all(parsed, &mut diagnostics);
     let notes = diagnostics.take_notes();
     let failed = diagnostics.finish().err();
     let text = options.page.then(|| text(source));
@@ -53,8 +49,8 @@ pub(super) fn compile(
 
 /// The meanings of all sets. Of the mistakes that they find at one place the first is told, and it names its set where
 /// another set finds none there.
-fn resolved_all(
-    drivings: &[DrivenBySet],
+pub(super) fn resolved_all(
+    Parsed { drivings, are_well, .. }: &Parsed,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Result<Mechanism, Stub>> {
     let before = diagnostics.count();
@@ -72,6 +68,10 @@ fn resolved_all(
             if is_of_all { mistake.clone() } else { where_driven(mistake, driving) }
         });
         diagnostics.add_new(told.collect());
+    }
+    if !are_well {
+        // More mistakes would only follow from those of the sets.
+        diagnostics.forget_since(before);
     }
     resolved
 }

@@ -186,7 +186,7 @@ fn look(subject: &Goal<'_>, results: &Attained, sides: BoxSides) -> Examined {
 }
 
 /// The range, cut into equal boxes.
-fn first(ranges: &[[f64; 2]]) -> Vec<BoxSides> {
+pub(crate) fn first(ranges: &[[f64; 2]]) -> Vec<BoxSides> {
     assert!(ranges.len() <= INPUTS, "so many inputs are followed at once");
     let cuts = match ranges.len() {
         0 | 1 => FIRST[0],
@@ -207,18 +207,19 @@ fn first(ranges: &[[f64; 2]]) -> Vec<BoxSides> {
 }
 
 /// The side that is the largest share of its range, and this share.
-fn widest(sides: &BoxSides, ranges: &[[f64; 2]]) -> (usize, f64) {
+pub(crate) fn widest(sides: &[[f64; 2]], ranges: &[[f64; 2]]) -> (usize, f64) {
     let share = |([low, high], [from, to]): (&[f64; 2], &[f64; 2])| (high - low) / (to - from);
     let shares = sides.iter().zip(ranges).map(share).enumerate();
     shares.fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most })
 }
 
-fn halves(sides: &BoxSides, ranges: &[[f64; 2]]) -> [BoxSides; 2] {
+/// The box halved across its widest side.
+pub(crate) fn halves(sides: &[[f64; 2]], ranges: &[[f64; 2]]) -> [BoxSides; 2] {
     let (side, _) = widest(sides, ranges);
     let [low, high] = sides[side];
     let middle = low + (high - low) / 2.0;
     [[low, middle], [middle, high]].map(|half| {
-        let mut sides = sides.clone();
+        let mut sides = sides.to_vec();
         sides[side] = half;
         sides
     })

@@ -1,6 +1,7 @@
 //! Motions that are followed from the drawing, pose by pose.
 
 use std::f64::consts::{PI, TAU};
+use std::iter;
 
 use super::super::following::band;
 use super::super::pose::Posed;
@@ -14,6 +15,15 @@ fn drawn_at(places: [[f64; 2]; 4]) -> Machine {
         machine.pins[3 + pin] = Complex::new(x, y);
     }
     machine
+}
+
+/// Triads whose moving pins lie anywhere about the ground.
+fn random_machines(mut seed: u64) -> impl Iterator<Item = Machine> {
+    let mut random = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    iter::repeat_with(move || drawn_at([(); 4].map(|()| [5.0 * random() - 0.5, 4.0 * random()])))
 }
 
 /// The ways to solve it, each with the trend that its equation has in the drawing.
@@ -32,14 +42,8 @@ fn with_trends(machine: &Machine) -> (Vec<Found>, Vec<SearchedGroup>) {
 /// followed is one motion, which ends at a dead point and does not go on in another way to assemble the group.
 #[test]
 fn a_motion_does_not_jump_to_another_root() {
-    let mut seed = 5_u64;
-    let mut random = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        (seed >> 11) as f64 / (1_u64 << 53) as f64
-    };
     let (mut followed, mut ended) = (0, 0);
-    for _ in 0..40 {
-        let machine = drawn_at([(); 4].map(|()| [5.0 * random() - 0.5, 4.0 * random()]));
+    for machine in random_machines(5).take(40) {
         let (crank, all) = with_trends(&machine);
         let [way] = &Way::all(&machine)[..] else { panic!("a crank alone drives it") };
         for search in all.iter().step_by(4) {
@@ -149,14 +153,8 @@ fn end_beside(
 /// turns back, is told apart by its slope.
 #[test]
 fn a_root_is_alone_up_to_the_next_of_its_trend() {
-    let mut seed = 17_u64;
-    let mut random = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        (seed >> 11) as f64 / (1_u64 << 53) as f64
-    };
     let (mut asked, mut by_a_root) = (0, 0);
-    for nth in 0..84 {
-        let machine = drawn_at([(); 4].map(|()| [5.0 * random() - 0.5, 4.0 * random()]));
+    for (nth, machine) in random_machines(17).take(84).enumerate() {
         // Those of few machines lie so near, and are not too near to be told.
         if nth % 12 != 0 && ![38, 73, 80].contains(&nth) {
             continue;

@@ -12,87 +12,48 @@ use crate::function::{Function, HOOKED_SINE};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::unguarded;
+use crate::prove::boxes::{BoxSides, first, halves, widest};
+use crate::prove::function_ranges;
+use crate::prove::outward::OutwardInterval;
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::PI;
 
 /// The most inputs whose turns are cut, all together.
 const MOST_INPUTS: usize = 2;
-/// The arcs of one input's turn at first, and of each of two.
-const FIRST: [u32; MOST_INPUTS] = [16, 8];
-/// An arc that is no longer than this is not halved.
-const SHORTEST: f64 = TAU / 1024.0;
+/// A box with no side longer than this share of a turn is not halved.
+const SHORTEST: f64 = 1.0 / 1024.0;
 /// The most boxes of arcs that are looked at.
 const MOST_BOXES: usize = 400;
 
-/// The angles of an input in an arc, each with any whole turns.
+/// The angles of some inputs, an arc each.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Arc {
-    input: u32,
-    from: f64,
-    to: f64,
-}
-
-impl Arc {
-    fn cosine(&self) -> Interval {
-        let ([from, to], mut range) = ([self.from, self.to], [f64::INFINITY, f64::NEG_INFINITY]);
-        let mut takes = |value: f64| range = [range[0].min(value), range[1].max(value)];
-        takes(from.cos());
-        takes(to.cos());
-        // The multiples of a half turn between the ends.
-        let (first, last) = ((from / PI).ceil() as i64, (to / PI).floor() as i64);
-        (first..=last).for_each(|halves| takes(if halves % 2 == 0 { 1.0 } else { -1.0 }));
-        Interval::of(range[0], range[1])
-    }
-
-    /// Its angles and so much more.
-    fn turned(self, by: f64) -> Self {
-        Self { from: self.from + by, to: self.to + by, ..self }
-    }
-
-    fn length(&self) -> f64 {
-        self.to - self.from
-    }
-
-    fn halves(self) -> [Self; 2] {
-        let middle = self.from + self.length() / 2.0;
-        [Self { to: middle, ..self }, Self { from: middle, ..self }]
-    }
-
-    /// A turn, cut into as many arcs.
-    fn turn(input: u32, parts: u32) -> impl Iterator<Item = Self> {
-        let at = move |part: u32| TAU * (f64::from(part) / f64::from(parts) - 0.5);
-        (0..parts).map(move |part| Self { input, from: at(part), to: at(part + 1) })
-    }
-
-    /// Its middle alone.
-    fn middle(self) -> Self {
-        let [first, _] = self.halves();
-        Self { from: first.to, to: first.to, ..self }
-    }
+pub(super) struct Arcs<'a> {
+    inputs: &'a [u32],
+    sides: &'a BoxSides,
 }
 
 impl Bounds<'_> {
     /// A sine or a cosine of an input of which an arc is looked at.
     pub(super) fn on_arc(&self, node: Node) -> Option<Interval> {
-        let (input, ahead) = turned_input(self.graph, node)?;
-        let arc = self.arcs.iter().find(|arc| arc.input == input)?;
-        let range = arc.turned(ahead).cosine();
+        let arcs = self.arcs?;
+        let (input, function) = turned_input(self.graph, node)?;
+        let [low, high] = arcs.sides[arcs.inputs.iter().position(|&one| one == input)?];
+        let (range, _) = function_ranges::of(function, &[OutwardInterval::between(low, high)])?;
         Some(Interval::of(range.low - self.error, range.high + self.error).rounded())
     }
 }
 
-/// The input of which a node is a cosine, after it was turned by so much.
-fn turned_input(graph: &Graph, node: Node) -> Option<(u32, f64)> {
-    let (input, function) = match node {
-        Node::InputCos(input) => (input, Function::Cos),
-        Node::InputSin(input) => return Some((input, -FRAC_PI_2)),
-        Node::Apply(function, angle) => match graph.node(angle) {
-            Node::Input { input, order: 0 } => (input, function),
-            _ => return None,
+/// The input of which a node is a sine or a cosine.
+fn turned_input(graph: &Graph, node: Node) -> Option<(u32, Function)> {
+    match node {
+        Node::InputCos(input) => Some((input, Function::Cos)),
+        Node::InputSin(input) => Some((input, Function::Sin)),
+        Node::Apply(function @ (Function::Cos | Function::Sin), angle) => match graph.node(angle) {
+            Node::Input { input, order: 0 } => Some((input, function)),
+            _ => None,
         },
-        _ => return None,
-    };
-    Some((input, function.as_cosine()?))
+        _ => None,
+    }
 }
 
 impl Values<'_> {
@@ -110,33 +71,29 @@ impl Values<'_> {
             return;
         }
         let nodes = self.those_that_lead_to(&open);
-        let shown_on = |arcs: &[Arc], open: &[Id]| self.shown(limits, asked, &nodes, arcs, open);
-        let turns = inputs.iter().map(|&input| Arc::turn(input, FIRST[inputs.len() - 1]));
-        let mut boxes = turns.fold(vec![Vec::new()], |boxes: Vec<Vec<Arc>>, turn| {
-            let arcs: Vec<_> = turn.collect();
-            let with = |arcs_of_box: Vec<Arc>| {
-                arcs.iter().map(move |&arc| [&arcs_of_box[..], &[arc]].concat()).collect::<Vec<_>>()
-            };
-            boxes.into_iter().flat_map(with).collect()
-        });
+        let ranges = vec![[-PI, PI]; inputs.len()];
+        let shown_on = |sides: &BoxSides, open: &[Id]| {
+            self.shown(limits, asked, &nodes, Arcs { inputs: &inputs, sides }, open)
+        };
+        let mut boxes = first(&ranges);
         let mut looked_at = 0;
-        while let Some(arcs) = boxes.pop()
+        while let Some(sides) = boxes.pop()
             && !open.is_empty()
         {
             looked_at += 1;
-            let shown = shown_on(&arcs, &open);
+            let shown = shown_on(&sides, &open);
             if shown.iter().all(|&is_shown| is_shown) {
                 continue;
             }
             // Most that do not hold fail in the middle of one of the first arcs.
-            let middle: Vec<_> = arcs.iter().map(|arc| arc.middle()).collect();
-            let is_short = arcs.iter().all(|arc| arc.length() <= SHORTEST);
+            let middle = sides.iter().map(|[low, high]| [low + (high - low) / 2.0; 2]).collect();
+            let is_short = widest(&sides, &ranges).1 <= SHORTEST;
             let kept = if is_short { shown } else { shown_on(&middle, &open) };
             keep(&mut open, kept);
             if looked_at + boxes.len() >= MOST_BOXES {
                 open.clear();
             } else if !is_short {
-                boxes.extend(halves(&arcs));
+                boxes.extend(halves(&sides, &ranges));
             }
         }
         for id in open {
@@ -181,7 +138,7 @@ impl Values<'_> {
         limits: &Assumed,
         asked: &AskedSizes,
         nodes: &[(Id, Node)],
-        arcs: &[Arc],
+        arcs: Arcs<'_>,
         open: &[Id],
     ) -> Vec<bool> {
         let mut bounds = Bounds {
@@ -189,7 +146,7 @@ impl Values<'_> {
             limits,
             error: HOOKED_SINE,
             asked: Some(asked),
-            arcs,
+            arcs: Some(arcs),
             fails: false,
             ranges: self.constants.clone(),
             thresholds: Map::default(),
@@ -207,17 +164,6 @@ impl Values<'_> {
         };
         open.iter().map(is_shown).collect()
     }
-}
-
-/// The longest arc halved, beside the others.
-fn halves(arcs: &[Arc]) -> [Vec<Arc>; 2] {
-    let longer = |&a: &usize, &b: &usize| arcs[a].length().total_cmp(&arcs[b].length());
-    let longest = (0..arcs.len()).max_by(longer).expect("there is an arc");
-    arcs[longest].halves().map(|half| {
-        let mut arcs = arcs.to_vec();
-        arcs[longest] = half;
-        arcs
-    })
 }
 
 fn keep(open: &mut Vec<Id>, shown: Vec<bool>) {
