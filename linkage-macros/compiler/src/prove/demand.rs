@@ -50,14 +50,11 @@ impl Demand {
         width: Precision,
         values: &dyn Fn(Id) -> OutwardInterval,
     ) -> Verdict {
-        let of_width = |[double, single]: [f64; 2]| match width {
-            Precision::Single => single,
-            Precision::Double => double,
-        };
         let (holds, fails) = match self {
             Self::Compare { value, comparison, above_rounding, .. } => {
                 let value = values(*value);
-                let threshold = comparison.map(|(comparison, least)| (comparison, of_width(least)));
+                let threshold =
+                    comparison.map(|(comparison, least)| (comparison, width.of_width(least)));
                 let is_met = threshold.is_none_or(|(comparison, least)| match comparison {
                     Comparison::Above => value.low > least,
                     Comparison::AtLeast => value.low >= least,
@@ -76,7 +73,7 @@ impl Demand {
                 let square = values(*id).square();
                 // The sum of the squares is off by less than two last places.
                 let share = 1.0 - 4.0 * width.epsilon();
-                let is_met = square.low * share > of_width(*least_square);
+                let is_met = square.low * share > width.of_width(*least_square);
                 (is_met && square.high < width.largest() * share, false)
             }
             Self::Near(angle) => (values(*angle).magnitude() <= width.largest_angle(), false),

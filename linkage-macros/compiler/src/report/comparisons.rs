@@ -55,7 +55,7 @@ fn numbers(threshold: Threshold) -> [f64; 2] {
     match threshold {
         Threshold::Number(double, single) => [double, single],
         Threshold::SmallestSquare => {
-            [Precision::Double, Precision::Single].map(Precision::smallest_square)
+            [Precision::DOUBLE, Precision::SINGLE].map(Precision::smallest_square)
         }
     }
 }

@@ -83,5 +83,5 @@ pub(super) fn subjects<'g>(
     of: (&'g [Id], &'g [Demand]),
     given: &'g Premises,
 ) -> [Goal<'g>; 2] {
-    [Precision::Double, Precision::Single].map(|width| Goal::new(graph, of, given, width))
+    [Precision::DOUBLE, Precision::SINGLE].map(|width| Goal::new(graph, of, given, width))
 }

@@ -93,7 +93,7 @@ impl Sensitive {
         });
         let params = decimals.chain(looked.given.params.iter().cloned()).collect();
         let given = Premises { params, ..looked.given.clone() };
-        let subject = Goal::new(&self.program.graph, (sinks, &[]), &given, Precision::Double);
+        let subject = Goal::new(&self.program.graph, (sinks, &[]), &given, Precision::DOUBLE);
         let own = self.mechanism.params.iter().skip(self.lengths.len());
         let own = own.map(|param| param.name.unraw().to_string());
         let names: Vec<String> = self.lengths.iter().cloned().chain(own).collect();

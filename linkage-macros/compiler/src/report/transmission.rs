@@ -64,7 +64,7 @@ pub(super) fn transmissions(
     }
     let sinks: Vec<Id> = found.iter().flat_map(|of| of.sides.all().chain([of.value])).collect();
     let given: &Premises = looked.given;
-    let subject = Goal::new(graph, (&sinks, &[]), given, Precision::Double);
+    let subject = Goal::new(graph, (&sinks, &[]), given, Precision::DOUBLE);
     let mut ends: Vec<AngleEnds> = found.iter().map(|_| AngleEnds::NONE).collect();
     for sides in &looked.boxes {
         let values = OneBox::new(&subject, InputBox::new(sides));

@@ -3,4 +3,5 @@
 mod computed;
 mod machines;
 mod nodes;
+mod small_formats;
 mod whole;

@@ -58,7 +58,7 @@ fn no_node_rounds_by_more_than_its_own_error() {
     for machine in MACHINES {
         let case = machine.case([1.0, 0.5]);
         let subject =
-            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::Single);
+            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::SINGLE);
         let mut largest = vec![0.0f64; subject.nodes.len()];
         for sides in boxes(&case) {
             let values = OneBox::new(&subject, InputBox::new(&sides));
@@ -127,7 +127,7 @@ fn errors_of_constants_are_those_of_their_rounding() {
     let mut inexact = 0;
     for machine in MACHINES {
         let case = machine.case([1.0, 0.5]);
-        for width in [Precision::Single, Precision::Double] {
+        for width in [Precision::SINGLE, Precision::DOUBLE] {
             let subject = Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, width);
             for (place, (_, node)) in subject.nodes.iter().enumerate() {
                 let Node::Constant(constant) = node else { continue };
@@ -153,7 +153,7 @@ fn a_change_of_a_node_moves_results_by_its_adjoint() {
     for machine in MACHINES {
         let case = machine.case([1.0, 0.5]);
         let subject =
-            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::Double);
+            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::DOUBLE);
         for sides in boxes(&case).step_by(5) {
             let values = OneBox::new(&subject, InputBox::new(&sides));
             let backwards =

@@ -55,8 +55,8 @@ fn tried(proof: &Proof, ranges: &[[f64; 2]], count: usize) -> Vec<Vec<f64>> {
 /// The bound of each result over the largest error that is seen, where that is not nothing.
 fn over_what_is_seen(name: &str, case: &Case, poses: usize) -> Vec<f64> {
     let subject =
-        Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::Single);
-    let wide = Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::Double);
+        Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::SINGLE);
+    let wide = Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::DOUBLE);
     let proof = prove(&subject, BUDGET);
     if let Some(open) = proof.open.first() {
         let values = OneBox::new(&subject, InputBox::new(open));
@@ -159,7 +159,7 @@ fn no_error_of_double_precision_is_above_its_bound() {
     for machine in MACHINES.iter().filter(|machine| machine.entry == "motion") {
         let case = machine.case([1.0, 0.5]);
         let subject =
-            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::Double);
+            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::DOUBLE);
         let proof = prove(&subject, BUDGET);
         for pose in tried(&proof, &case.given.ranges, 4) {
             let input = |at: &f64| [*at, 1.0, 0.5].map(Digits::float);
@@ -196,7 +196,7 @@ fn bounds_are_multiples_of_rates() {
     let unit = machine.case([1.0, 0.0]);
     let of = |case: &Case| {
         let subject =
-            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::Single);
+            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::SINGLE);
         prove(&subject, BUDGET)
     };
     let proof = of(&unit);
@@ -206,9 +206,9 @@ fn bounds_are_multiples_of_rates() {
     for rate in [3.7_f32, 250.0, 1e-15].map(f64::from) {
         let case = machine.case([rate, 0.0]);
         let subject =
-            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::Single);
+            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::SINGLE);
         let wide =
-            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::Double);
+            Goal::new(&case.program.graph, (&case.sinks, &[]), &case.given, Precision::DOUBLE);
         for pose in tried(&proof, &case.given.ranges, 2_000) {
             let exact = computed::<f64>(&wide, &pose, false, None);
             let found = computed::<f32>(&subject, &pose, true, None);
