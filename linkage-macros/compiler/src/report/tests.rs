@@ -146,6 +146,49 @@ fn next_to_a_limit_bounds_grow_by_its_distance() {
     assert_eq!(motion.stretches.len(), 2);
 }
 
+/// A crank longer than its coupler: four dead points, where 200 sin θ is 130 or −130, and three stretches between them.
+#[test]
+fn limits_of_several_stretches_are_all_told() {
+    const LONG: &str =
+        "struct Long { input theta: angle; ground A(0, 0); guide rail through (0, 0) along 0deg;
+        crank AB(A) -> B { length: 200mm, angle: theta }
+        rrp BC(B), block(rail) -> C { length: 130mm, mode: ahead } }";
+    let report = report(LONG, |_| {}).expect("there is no mistake");
+    let limits = &report.entries[0].limits;
+    let dead = (0.65_f64).asin();
+    // The first stretch ends, two stand on both sides, the last begins.
+    let expected = [(dead - PI, false), (-dead, true), (dead, false), (PI - dead, true)];
+    assert_eq!(limits.len(), expected.len());
+    for (limit, (at, is_lower)) in limits.iter().zip(expected) {
+        assert!((limit.at - at).abs() < 1e-9, "{} for {at}", limit.at);
+        assert_eq!((limit.is_lower, &limit.group[..]), (is_lower, "BC, block"));
+    }
+}
+
+/// A target's root or sine that errs by more raises the bounds; one that is rounded correctly does not.
+#[test]
+fn functions_of_the_target_err_by_what_is_said() {
+    let within = |change: &dyn Fn(&mut ReportOptions)| {
+        let report = report(SHEAR, change).expect("there is no mistake");
+        let angle = report.entries[0].results.iter().find(|own| own.name == "velocity.DC.omega");
+        angle.and_then(|own| own.bounds.as_ref().ok()).expect("it is proved")[1].within
+    };
+    let own = within(&|_| {});
+    let root = |places: &'static str| {
+        within(&move |options: &mut ReportOptions| options.root_error = Some(places.into()))
+    };
+    assert_eq!(root("0.5"), own);
+    // Three halves of a last place more, of one of some fifty roundings.
+    let more = root("2") - own;
+    assert!(more > 0.005 * own && more < 0.5 * own, "{more:e} of {own:e}");
+    // Twice the surplus, twice the change, but for boxes that are halved until their bounds are a tenth too large.
+    let twice = (root("3.5") - own) / more;
+    assert!((1.5..2.5).contains(&twice), "{twice}");
+    // A sine that is off by 2^-20, in place of 2^-24.
+    let sine = within(&|options: &mut ReportOptions| options.sine_error = Some("2^-20".into()));
+    assert!(sine > 3.0 * own, "{sine:e} of {own:e}");
+}
+
 /// A range of a parameter is a range like an input's; a parameter that is set has another default.
 #[test]
 fn parameters_are_ranged_over_or_set() {

@@ -291,3 +291,18 @@ fn what_fails_behind_another_condition_is_not_asked() {
         assert_eq!(sizes.0[&second].is_some(), is_asked, "{inner}");
     }
 }
+
+/// What rounding leaves of a constant may lie on either side, whatever the constant's own sign.
+#[test]
+fn the_rest_of_a_constant_is_asked() {
+    for value in [0.1, -0.1] {
+        let mut sample = sample();
+        let number = sample.number(value);
+        let Node::Constant(constant) = sample.graph.node(number) else { panic!("it is constant") };
+        let rest = sample.push(Node::Low(constant));
+        sample.guard(rest, Check::Square);
+        let values = Values::new(&sample.graph, &vec![true; sample.graph.len()]);
+        let (thresholds, _) = values.thresholds(&WIDE).expect("all is bounded");
+        assert!(thresholds[&rest].is_some(), "{value}");
+    }
+}
