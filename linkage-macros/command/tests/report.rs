@@ -79,7 +79,26 @@ fn the_exit_status_tells_what_is_not_shown() {
     // So long a crank does not turn fully.
     let (code, why) = status(&["--within", "1um", "--width", "f32", "--set", "crank=420mm"]);
     assert_eq!(code, Some(1));
-    assert!(why.contains("is not proved over the whole range: narrow it by `--between`"), "{why}");
+    // What is proposed is shown.
+    let proposed = |why: &str| {
+        let words = why.split("narrow it by `--between ").nth(1).expect("a range is proposed");
+        words.split('`').next().expect("it ends").to_string()
+    };
+    let range = proposed(&why);
+    let long = ["--within", "1um", "--width", "f32", "--set", "crank=420mm", "--between"];
+    let (code, why) = status(&[&long[..], &[&range]].concat());
+    assert_eq!((code, &why[..]), (Some(0), ""), "{range}");
+    // What is more exact is shown farther from the limits, and a nanometre nowhere.
+    let (_, finer) = status(&["--within", "0.3um", "--width", "f32", "--set", "crank=420mm"]);
+    let ends = |range: &str| {
+        let ends = range.trim_start_matches("theta=").split("..");
+        ends.map(|end| end.trim_end_matches("deg").parse::<f64>().expect("degrees"))
+            .collect::<Vec<_>>()
+    };
+    let (wide, narrow) = (ends(&range), ends(&proposed(&finer)));
+    assert!(wide[0] < narrow[0] && narrow[1] < wide[1], "{wide:?} {narrow:?}");
+    let (_, why) = status(&["--within", "1e-9m", "--width", "f32", "--set", "crank=420mm"]);
+    assert!(why.contains("narrow it by `--between`"), "{why}");
     let (code, why) = status(&["--between", "theta"]);
     assert_eq!(code, Some(2));
     assert!(why.contains("write `NAME=VALUE` in place of `theta`"), "{why}");

@@ -1,6 +1,7 @@
 //! `linkage report`: what is proved of a solver, as text or JSON.
 
 mod json;
+mod narrowed;
 mod numbers;
 mod text;
 
@@ -77,9 +78,12 @@ fn missed(report: &Report, widths: &[usize]) -> Vec<String> {
             }
         }
         if !entry.is_straight {
+            let narrowed = narrowed::narrowed(entry, (*wished, unit), widths);
             missed.push(format!(
-                "`{}.{}` is not proved over the whole range: narrow it by `--between`",
-                report.mechanism, entry.name
+                "`{}.{}` is not proved over the whole range: narrow it by `{}`",
+                report.mechanism,
+                entry.name,
+                narrowed.as_deref().unwrap_or("--between")
             ));
         }
     }
