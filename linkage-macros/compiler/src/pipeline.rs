@@ -27,7 +27,7 @@ use crate::interface::Interface;
 use crate::interface::quantity::Order;
 use crate::interface::units_in_words::unit;
 use crate::ir::interpret::ProgramValues;
-use crate::ir::posing::{Conditions, UnknownWords, placed};
+use crate::ir::posing::{Conditions, Placing, UnknownWords};
 use crate::ir::program::Program;
 use crate::model::Stub;
 use crate::model::mechanism::{Mechanism, Param};
@@ -175,7 +175,7 @@ pub fn drawing(
     let program = placing(&mechanism);
     let unknowns = unknown_words(&mechanism);
     let given = at_defaults(&mechanism, inputs);
-    let numbers = placed(&program, &given, &unknowns, conditions);
+    let numbers = Placing::new(&program).numbers(&given, &unknowns, conditions);
     Ok(DrawnPose { plan: PlanParts::of(&mechanism), numbers })
 }
 

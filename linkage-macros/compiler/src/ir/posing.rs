@@ -73,29 +73,37 @@ pub(crate) struct UnknownWords {
     pub checks_span_at_run_time: bool,
 }
 
-/// The numbers of a program's first answer.
-pub(crate) fn placed(
-    program: &Program,
-    given: &ProgramValues<f64>,
-    unknowns: &[UnknownWords],
-    conditions: &mut dyn Conditions,
-) -> Vec<f64> {
-    let (graph, sinks) = (&program.graph, &program.answers[0].sinks);
-    let live = Liveness::of(program, sinks).slow;
-    let tried = tried(graph);
-    let mut pose = PoseValues {
-        program,
-        given,
-        unknowns,
-        values: vec![0.0; graph.len()],
-        found: Map::default(),
-    };
-    for (id, node) in graph.iter() {
-        if live[id.index()] && !tried[id.index()] {
-            pose.values[id.index()] = pose.number(id, node, &tried, conditions);
-        }
+/// The nodes that the first answer of a program needs: found once for any poses.
+pub(crate) struct Placing<'p> {
+    program: &'p Program,
+    nodes: Vec<(Id, Node)>,
+    tried: Vec<bool>,
+}
+
+impl<'p> Placing<'p> {
+    pub(crate) fn new(program: &'p Program) -> Self {
+        let graph = &program.graph;
+        let live = Liveness::of(program, &program.answers[0].sinks).slow;
+        let tried = tried(graph);
+        let is_placed = |(id, _): &(Id, Node)| live[id.index()] && !tried[id.index()];
+        Self { program, nodes: graph.iter().filter(is_placed).collect(), tried }
     }
-    sinks.iter().map(|sink| pose.values[sink.index()]).collect()
+
+    /// The numbers of the answer.
+    pub(crate) fn numbers(
+        &self,
+        given: &ProgramValues<f64>,
+        unknowns: &[UnknownWords],
+        conditions: &mut dyn Conditions,
+    ) -> Vec<f64> {
+        let program = self.program;
+        let values = vec![0.0; program.graph.len()];
+        let mut pose = PoseValues { program, given, unknowns, values, found: Map::default() };
+        for &(id, node) in &self.nodes {
+            pose.values[id.index()] = pose.number(id, node, &self.tried, conditions);
+        }
+        program.answers[0].sinks.iter().map(|sink| pose.values[sink.index()]).collect()
+    }
 }
 
 struct PoseValues<'p> {

@@ -4,8 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::diagnostics::Diagnostics;
-use crate::ir::posing::{Conditions, GuardedValue, SoughtRoot, placed};
-use crate::ir::program::Program;
+use crate::ir::posing::{Conditions, GuardedValue, Placing, SoughtRoot, UnknownWords};
 use crate::model::mechanism::{Carrier, Mechanism, Touching};
 use crate::model::touching;
 use crate::reach::turn::degrees;
@@ -25,8 +24,8 @@ pub(super) fn found(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
         return;
     }
     let program = super::placing(mechanism);
-    let with_inputs =
-        |touching| Touching { inputs: inputs(mechanism, &program, &touching), ..touching };
+    let turn = Turn::of(mechanism, Placing::new(&program));
+    let with_inputs = |touching| Touching { inputs: turn.inputs(&touching), ..touching };
     let reached = touchings.into_iter().map(with_inputs);
     let reached: Vec<_> = reached.filter(|touching| !touching.inputs.is_empty()).collect();
     for found in &reached {
@@ -54,30 +53,64 @@ fn at(mechanism: &Mechanism, found: &Touching) -> String {
     format!("`{}` = {}", mechanism.inputs[0].name, angles.join(" and "))
 }
 
-/// The values of the input over a turn at which the two bodies stand so to each other, in degrees.
-fn inputs(mechanism: &Mechanism, program: &Program, touching: &Touching) -> Vec<f64> {
-    let mut found = Vec::new();
-    for &angle in &touching.angles {
-        let off = |input: f64| off(mechanism, program, touching, angle.to_radians(), input);
-        let at = |pose: u32| (f64::from(pose) / f64::from(POSES) - 0.5) * TAU;
-        for pose in 0..POSES {
-            let ends = [pose, pose + 1].map(at);
-            found.extend(crossing(&off, ends));
-        }
-    }
-    // Half a turn is the same forwards and backwards.
-    let forwards = |input: f64| if input < NEAR - PI { input + TAU } else { input };
-    let mut found: Vec<f64> = found.into_iter().map(forwards).collect();
-    found.sort_by(f64::total_cmp);
-    found.dedup_by(|a, b| (*a - *b).abs() < NEAR);
-    found.into_iter().map(f64::to_degrees).collect()
+/// A mechanism in poses over a turn of its input.
+struct Turn<'a> {
+    mechanism: &'a Mechanism,
+    placing: Placing<'a>,
+    unknowns: Vec<UnknownWords>,
+    /// The numbers of each pose.
+    poses: Vec<Vec<f64>>,
 }
 
-/// Where an angle passes zero between two inputs, or is zero at the first.
-fn crossing(off: &impl Fn(f64) -> f64, [mut from, mut to]: [f64; 2]) -> Option<f64> {
+impl<'a> Turn<'a> {
+    fn of(mechanism: &'a Mechanism, placing: Placing<'a>) -> Self {
+        let unknowns = unknown_words(mechanism);
+        let mut turn = Self { mechanism, placing, unknowns, poses: Vec::new() };
+        turn.poses = (0..=POSES).map(|pose| turn.numbers(input_at(pose))).collect();
+        turn
+    }
+
+    fn numbers(&self, input: f64) -> Vec<f64> {
+        let given = at_defaults(self.mechanism, &[input]);
+        self.placing.numbers(&given, &self.unknowns, &mut AsComputed)
+    }
+
+    /// The values of the input over a turn at which the two bodies stand so to each other, in degrees.
+    fn inputs(&self, touching: &Touching) -> Vec<f64> {
+        let mut found = Vec::new();
+        for &angle in &touching.angles {
+            let off = |numbers: &[f64]| off(self.mechanism, touching, angle.to_radians(), numbers);
+            let seen: Vec<f64> = self.poses.iter().map(|numbers| off(numbers)).collect();
+            for (pose, ends) in (0..POSES).zip(seen.windows(2)) {
+                let between = [pose, pose + 1].map(input_at);
+                found.extend(crossing(
+                    |input| off(&self.numbers(input)),
+                    between,
+                    [ends[0], ends[1]],
+                ));
+            }
+        }
+        // Half a turn is the same forwards and backwards.
+        let forwards = |input: f64| if input < NEAR - PI { input + TAU } else { input };
+        let mut found: Vec<f64> = found.into_iter().map(forwards).collect();
+        found.sort_by(f64::total_cmp);
+        found.dedup_by(|a, b| (*a - *b).abs() < NEAR);
+        found.into_iter().map(f64::to_degrees).collect()
+    }
+}
+
+fn input_at(pose: u32) -> f64 {
+    (f64::from(pose) / f64::from(POSES) - 0.5) * TAU
+}
+
+/// Where an angle passes zero between two inputs, or is zero at the first; it is known at both.
+fn crossing(
+    off: impl Fn(f64) -> f64,
+    [mut from, mut to]: [f64; 2],
+    [start, end]: [f64; 2],
+) -> Option<f64> {
     /// A quarter of a turn: what jumps by more passes half a turn.
     const QUARTER: f64 = 0.5 * PI;
-    let [start, end] = [off(from), off(to)];
     let is_passed = (start <= 0.0 && end > 0.0) || (start >= 0.0 && end < 0.0);
     if !(is_passed && start.abs() < QUARTER && end.abs() < QUARTER) {
         return None;
@@ -94,15 +127,7 @@ fn crossing(off: &impl Fn(f64) -> f64, [mut from, mut to]: [f64; 2]) -> Option<f
 }
 
 /// The angle between both bodies less that at the limit, within half a turn; not a number where there is no pose.
-fn off(
-    mechanism: &Mechanism,
-    program: &Program,
-    touching: &Touching,
-    angle: f64,
-    input: f64,
-) -> f64 {
-    let given = at_defaults(mechanism, &[input]);
-    let numbers = placed(program, &given, &unknown_words(mechanism), &mut AsComputed);
+fn off(mechanism: &Mechanism, touching: &Touching, angle: f64, numbers: &[f64]) -> f64 {
     let [[x0, y0], [x1, y1]] = [touching.hinge, touching.on]
         .map(|point| [numbers[2 * point.index()], numbers[2 * point.index() + 1]]);
     let (dx, dy) = (x1 - x0, y1 - y0);

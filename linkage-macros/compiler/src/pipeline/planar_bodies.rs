@@ -7,7 +7,7 @@ use super::parsed::{Parsed, parsed};
 use super::{at_defaults, placing, resolved, unknown_words};
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::AtomScope;
-use crate::ir::posing::{Conditions, placed};
+use crate::ir::posing::{Conditions, Placing};
 use crate::model::acting::{Ends, Magnitude, MassPlace, Stopped};
 use crate::model::mechanism::{Carrier, LinkId, Mechanism, Param, PointId, Scalar};
 use crate::model::{DrivenQuantity, PlanarQuantity, driven_quantities, value_at_defaults};
@@ -144,7 +144,7 @@ impl<'a> Made<'a> {
         mechanism.outline.as_ref()?;
         let inputs = mechanism.drawn.as_deref()?;
         let (given, unknowns) = (at_defaults(mechanism, inputs), unknown_words(mechanism));
-        let numbers = placed(&placing(mechanism), &given, &unknowns, conditions);
+        let numbers = Placing::new(&placing(mechanism)).numbers(&given, &unknowns, conditions);
         Some(Self { mechanism, inputs, numbers })
     }
 
