@@ -188,3 +188,44 @@ fn across<const N: usize>(miss: [Dual<N>; 3], near: &Near) -> [Dual<N>; 3] {
     let along = miss[0] * unit[0] + miss[1] * unit[1] + miss[2] * unit[2];
     core::array::from_fn(|i| miss[i] - along * unit[i])
 }
+
+#[cfg(test)]
+mod tests {
+    use linkage_core::num_dual::Derivative;
+
+    use super::{Near, across};
+    use crate::rows::Dual;
+
+    fn number(re: f64, slopes: [f64; 2]) -> Dual<2> {
+        Dual::new(re, Derivative::some(slopes.into()))
+    }
+
+    /// Neither the residual nor its slopes have a part along the tangent, and what is square to it stays.
+    #[test]
+    fn a_distance_is_square_to_the_tangent() {
+        let (tangent, normal) = ([1.2, -0.9, 2.0], [0.6, 0.8, 0.0]);
+        // A part of 1e-9 along the tangent, as roundings leave it; slopes of any direction.
+        let at = |i: usize| 0.3 * normal[i] + 1e-9 * tangent[i];
+        let miss: [Dual<2>; 3] = core::array::from_fn(|i| {
+            number(at(i), [2.0 * normal[i] + 5.0 * tangent[i], -normal[i] + 0.25 * tangent[i]])
+        });
+        let slope = (0..3).map(|i| at(i) * tangent[i]).sum();
+        let rows = across(miss, &Near { input: 0.4, slope, tangent });
+        for (i, row) in rows.iter().enumerate() {
+            assert!((row.re - 0.3 * normal[i]).abs() < 1e-15, "{row:?}");
+            let slopes = row.eps.0.expect("it has slopes");
+            for (found, share) in slopes.iter().zip([2.0, -1.0]) {
+                assert!((found - share * normal[i]).abs() < 1e-15, "{row:?}");
+            }
+        }
+    }
+
+    /// At an end of the curve the residual is not square to the tangent, and counts whole.
+    #[test]
+    fn at_an_end_all_of_a_residual_counts() {
+        let miss = [number(0.3, [1.0, 0.0]), number(0.1, [0.0, 1.0]), number(0.0, [0.0; 2])];
+        let tangent = [1.0, 0.0, 0.0];
+        let rows = across(miss, &Near { input: 0.0, slope: 0.3, tangent });
+        assert_eq!(rows.map(|row| row.re), [0.3, 0.1, 0.0]);
+    }
+}
