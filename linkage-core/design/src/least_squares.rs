@@ -83,3 +83,42 @@ fn step(at: &Evaluation, x: &DVector<f64>, damping: f64) -> Option<DVector<f64>>
     }
     (fixed.amax() > 0.0).then_some(fixed)
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DVector, dmatrix, dvector};
+
+    use super::step;
+    use crate::kernel::Evaluation;
+    use crate::rows::Rows;
+
+    /// Of x + y/2 − a and x/2 + y − b the slopes are M = (1, ½; ½, 1). A number that would leave its range goes to its
+    /// end, and the other has the least squares beside it: its column of M, times what is left, over 5/4.
+    #[test]
+    fn a_step_to_an_end_takes_the_others_with_it() {
+        let slopes = dmatrix![1.0, 0.5; 0.5, 1.0];
+        let at = |x: &DVector<f64>, [a, b]: [f64; 2]| {
+            let values = &slopes * x - dvector![a, b];
+            let keeps = Rows { values: dvector![], slopes: nalgebra::DMatrix::zeros(0, 2) };
+            Evaluation { aims: Rows { values, slopes: slopes.clone() }, keeps }
+        };
+        let x = dvector![0.5, 0.25];
+        // Inside: M (0.75, 0.5) = (1, 0.875). Beyond the upper end, M (1.5, 0.5); beyond the lower, M (−1, 0.5).
+        for (target, x0, y0) in [
+            ([1.0, 0.875], 0.75, 0.5),
+            ([1.75, 1.25], 1.0, (0.5 * (1.75 - 1.0) + (1.25 - 0.5)) / 1.25),
+            ([-0.75, 0.0], 0.0, (0.5 * -0.75 + 0.0_f64) / 1.25),
+        ] {
+            let step = step(&at(&x, target), &x, 0.0).expect("there is a step");
+            let y0 = y0.clamp(0.0, 1.0);
+            let off = (&x + &step - dvector![x0, y0]).amax();
+            assert!(off < 1e-14, "{target:?}: {step} for {x0}, {y0}");
+        }
+        // What stands at its end and would leave it stands still; at the best place nothing moves.
+        let x = dvector![1.0, 0.25];
+        let found = step(&at(&x, [1.75, 1.25]), &x, 0.0).expect("there is a step");
+        assert_eq!(found[0], 0.0);
+        assert!((0.25 + found[1] - (0.5 * 0.75 + 0.75) / 1.25).abs() < 1e-14, "{found}");
+        assert!(step(&at(&dvector![1.0, 0.0], [2.0, -1.0]), &dvector![1.0, 0.0], 0.0).is_none());
+    }
+}
