@@ -97,11 +97,14 @@ fn the_printed_solver_computes_what_the_macro_makes() {
 /// The formulas of a position, without the indentation of the whole.
 fn formulas(expansion: &str) -> String {
     let (_, rest) = expansion.split_once("fn formulas_at_<").expect("the formulas");
-    let (_, rest) = rest.split_once("if ORDER == 3 {").expect("clearances come first");
+    let (constants, rest) = rest.split_once("if ORDER == 3 {").expect("clearances come first");
+    let (_, shared) = constants.split_once("let acceleration_").expect("the constants' end");
+    let (_, shared) = shared.split_once(";\n").expect("its own");
     let (_, rest) = rest.split_once("}\n").expect("their end");
     let (formulas, _) = rest.split_once("if ORDER == 0 {").expect("the position alone");
     let indent = formulas.find("let").expect("a statement");
-    let lines = formulas.trim_end().lines().map(|line| &line[indent..]);
+    let lines = shared.trim_end().lines().chain(formulas.trim_end().lines());
+    let lines = lines.map(|line| &line[indent..]);
     lines.map(|line| format!("{line}\n")).collect()
 }
 

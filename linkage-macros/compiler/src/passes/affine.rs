@@ -10,19 +10,18 @@
 //! ```
 //!
 //! which is known two or three operations earlier. A constant that is added or taken away next
-//! goes into k₀, and what comes of it is known as early. The groups write their own distances so
-//! (`equations/crank_pin.rs`); this does for clearances, margins and forces, and bounds over a stretch of
-//! the angle are tighter by it.
+//! goes into k₀, and what comes of it is known as early. Bounds over a stretch of the angle are tighter by
+//! it.
 //!
 //! # Error
 //! In units of ε/2, with D the distance of the pivots: the affine form loses at most
 //! k₀ + 2 |k| + d² (two constants, a product, a sum), where k₀ = D² + l² and |k| = 2 D l. The sum
 //! of squares loses at least 4 |x| l |cos θ| + 2 x² + 2 d² where y vanishes (a constant, a
 //! product, a difference, squares and their sum), which is where d² is smallest. The affine form
-//! is chosen where the pin's longest distance is at most twice its shortest, which is D ≥ 3 l or
-//! l ≥ 3 D: at D = 3 l the two lose 26 l² and 24 l² at the shortest distance, and the affine form
-//! less than half of the other at the longest. Nearer circles stay sums of squares: there k₀ + k₁
-//! cancels.
+//! is chosen where the pin's longest distance is at most one and a half of its shortest, which is
+//! D ≥ 5 l or l ≥ 5 D: at D = 5 l the two lose 62 l² and 80 l² at the shortest distance. Of nearer
+//! circles a group's bars and rates, which are made of x and y as well, are less exact than by the sum of
+//! squares, long before k₀ + k₁ cancels.
 
 use std::cmp::Ordering;
 
@@ -174,10 +173,10 @@ impl AffineForm {
         }
         let mean = dot(0, 0).add(&radius);
         let [cos, sin] = [dot(0, 1), dot(0, 2)].map(|term| term.add(&term));
-        // (D + l)² ≤ 4 (D − l)²  ⇔  5 |k| ≤ 3 k₀
+        // 4 (D + l)² ≤ 9 (D − l)²  ⇔  13 |k| ≤ 5 k₀
         let of_squares = |factor: i64, square: Exact| square.mul(&Exact::integer(factor));
-        let amplitude = of_squares(25, cos.mul(&cos).add(&sin.mul(&sin)));
-        let bound = of_squares(9, mean.mul(&mean));
+        let amplitude = of_squares(169, cos.mul(&cos).add(&sin.mul(&sin)));
+        let bound = of_squares(25, mean.mul(&mean));
         let keeps_its_digits = amplitude.cmp_value(&bound) != Ordering::Greater;
         keeps_its_digits.then_some(Self { turn, terms: [mean, cos, sin] })
     }

@@ -28,7 +28,8 @@ const LIMITED: &str = "struct Press { input theta: angle; param beside: length =
     crank AB(A) -> B { length: 43mm, angle: theta }
     rrp rod(B), ram(rail) -> C { length: 136mm, offset: beside, mode: ahead } }";
 
-/// The numbers of a prototype that read printed C, which shares no line with this: 0.19 µm and 4.2e-16 m at 146.2°.
+/// Near the numbers of a prototype that read printed C, which shares no line with this: 0.19 µm and 4.2e-16 m at 146.2°.
+/// In that C d² was a cosine. Made of d's coordinates, as now, it takes a tenth off the first, and a fifth off the second.
 #[test]
 fn a_turning_machine_is_proved_over_the_whole_turn() {
     let report = report(SHEAR, |_| {}).expect("there is no mistake");
@@ -40,8 +41,8 @@ fn a_turning_machine_is_proved_over_the_whole_turn() {
     };
     let x = named("position.blade.x");
     let [double, single] = x.bounds.as_ref().expect("it is proved");
-    assert!((1.8e-7..2.0e-7).contains(&single.within), "{single:?}");
-    assert!((3.4e-16..4.3e-16).contains(&double.within), "{double:?}");
+    assert!((1.6e-7..1.8e-7).contains(&single.within), "{single:?}");
+    assert!((3.1e-16..3.6e-16).contains(&double.within), "{double:?}");
     assert!((single.at[0].to_degrees() - 146.2).abs() < 1.0, "{single:?}");
     assert!((0.463..0.466).contains(&single.largest), "{single:?}");
     // Slopes by the names of the dimensions.
@@ -55,9 +56,9 @@ fn a_turning_machine_is_proved_over_the_whole_turn() {
     }
     let omega = named("velocity.DC.omega");
     assert_eq!((omega.rates, &omega.unit[..]), (1, "rad/s"));
-    assert!((1.5e-7..1.7e-7).contains(&omega.bounds.as_ref().expect("it is proved")[1].within));
+    assert!((1.35e-7..1.5e-7).contains(&omega.bounds.as_ref().expect("it is proved")[1].within));
     let alpha = named("acceleration.blade.x").bounds.as_ref().expect("it is proved");
-    assert!((9.5e-8..1.0e-7).contains(&alpha[1].within) && alpha[1].with_acceleration > 7e-8);
+    assert!((9.0e-8..9.5e-8).contains(&alpha[1].within) && alpha[1].with_acceleration > 7e-8);
     // The angle between coupler and rocker, by the cosine theorem: d from 585.7 to 745.7 mm.
     let angle =
         |d: f64| ((0.632f64.powi(2) + 0.374f64.powi(2) - d * d) / (2.0 * 0.632 * 0.374)).acos();

@@ -54,13 +54,9 @@
 //! within ε of itself; `numerics compensated;` puts the rounding of that difference back where both
 //! joints are given by inputs and constants (`tests/limits/compensated.rs`).
 //!
-//! Without an offset b² and the products of a crank's arm are made by what `crank_pin.rs` says, with
-//! its error.
-//!
 //! # Source
 //! Norton, Design of Machinery, ch. 4 (inverted slider-crank) with the bar's own axes.
 
-use crate::equations::crank_pin::CrankPin;
 use crate::equations::double_word::DoubleWord;
 use crate::equations::groups::Formulas;
 use crate::equations::jet::Jet;
@@ -108,22 +104,21 @@ fn rpr<'s>(
 ) -> Solved<'s> {
     let from = scope.call_vector("b", d.to(b));
     let e = offset.value;
-    let is_affine = scope.numerics == Numerics::Plain && e.is_zero();
-    let crank = is_affine.then(|| CrankPin::of([b, d])).flatten();
-    let square = crank.map_or_else(|| from.dot(from), CrankPin::square);
+    let square = from.dot(from);
     let sound = scope.label("b2", square.guarded_by(Check::Square, scope.group, &[]));
     let (s, u, inverse) = if e.is_zero() {
-        // s² = b²: 1/s = s/b², the division beside the root, and u = b/s.
-        let s = mode * sound.sqrt();
-        let inverse = s * sound.recip();
-        (s, inverse * from, inverse)
+        // s² = b² and u = b/s.
+        let magnitude = sound.sqrt();
+        let inverse = mode * magnitude.recip();
+        (mode * magnitude, inverse * from, inverse)
     } else {
         let left = left_of_offset(scope.numerics, [b, d], offset).value;
         let operands = [from.x, from.y, e];
         let left = scope.label("s2", left.guarded_by(Check::ReachOffset, scope.group, &operands));
-        let s = mode * left.sqrt();
+        let magnitude = left.sqrt();
+        let s = mode * magnitude;
         let u = sound.recip() * (s * from - e * from.normal());
-        (s, u, s * left.guarded_by(Check::Nonzero, scope.group, &[]).recip())
+        (s, u, mode * magnitude.guarded_by(Check::Nonzero, scope.group, &[]).recip())
     };
     scope.label("s", s);
     scope.label("inverse s", inverse);
@@ -131,7 +126,7 @@ fn rpr<'s>(
     let swinging = (e.is_zero() && d.is_fixed()).then_some(b.swing).flatten();
     let rates = match swinging {
         Some(swing) => {
-            let arm = crank.map_or_else(|| Arm::of(swing, d.base - b.base, from), Arm::known);
+            let arm = Arm::of(swing, d.base - b.base, from, sound);
             behind_crank(swing, arm, sound.recip(), inverse)
         }
         None => sliding([b, d], from, offset, [s, inverse], u),
@@ -200,24 +195,17 @@ struct Arm<'s> {
 }
 
 impl<'s> Arm<'s> {
-    /// Of a pin whose products are affine in one.
-    fn known(crank: CrankPin<'s>) -> Self {
-        let [pivot, radius] = crank.squares;
-        Self {
-            along: -crank.along(),
-            aside: crank.across,
-            pivot: crank.along() + radius - pivot,
-            difference: pivot - radius,
-        }
-    }
-
-    fn of(swing: Swing<'s>, pivot: Vector<'s>, line: Vector<'s>) -> Self {
-        Self {
-            along: swing.arm.dot(line),
-            aside: swing.arm.normal().dot(line),
-            pivot: pivot.dot(line),
-            difference: pivot.dot(pivot) - swing.square(),
-        }
+    /// The products of a and G with b, of which a·b − G·b is b²: the smaller vector's product is the one that is
+    /// computed of its coordinates. And a⊥·b is G × a.
+    fn of(swing: Swing<'s>, pivot: Vector<'s>, line: Vector<'s>, square: Sym<'s>) -> Self {
+        let difference = pivot.dot(pivot) - swing.square();
+        let (of_arm, of_pivot) = (|| swing.arm.dot(line), || pivot.dot(line));
+        let (along, of_pivot) = match difference.constant_value() {
+            Some(difference) if difference >= 0.0 => (of_arm(), of_arm() - square),
+            Some(_) => (of_pivot() + square, of_pivot()),
+            None => (of_arm(), of_pivot()),
+        };
+        Self { along, aside: pivot.cross(swing.arm), pivot: of_pivot, difference }
     }
 }
 

@@ -119,13 +119,14 @@ fn rrp<'s>(
     };
     scope.label("t", t);
     let square = square.guarded_by(Check::ReachLine, scope.group, &[t, l]);
-    let reach = scope.label("reach", mode * square.sqrt());
+    let magnitude = square.sqrt();
+    let reach = scope.label("reach", mode * magnitude);
     let slide = scope.label("slide", foot + reach);
     let r = scope.call_vector("r", reach * u + t * n);
     let bar = Bar::new(b, r, length, l.recip());
 
-    // 1/X = X/X²: the division runs beside the root.
-    let inverse = reach * square.guarded_by(Check::Nonzero, scope.group, &[]).recip();
+    // As X/X² beside the root 1/X would be rounded once more, and so would every rate.
+    let inverse = mode * magnitude.guarded_by(Check::Nonzero, scope.group, &[]).recip();
     scope.label("inverse reach", inverse);
     let v = b.velocity - guide.transport_at(b, scope.builder.zero_vector()).0;
     let a = b.acceleration - guide.transport_at(b, v).1;

@@ -35,8 +35,7 @@
 //! in which they are at rest and d² is constant. The bars' vectors are turned with the link then, and ω and α
 //! added to its own.
 //!
-//! Behind a crank (`crank_pin.rs`) d² is affine in its cosine and sine, and w and g are made of its arm:
-//! `turning.rs`.
+//! Behind a crank (`crank_pin.rs`) w and g are made of its arm: `turning.rs`.
 //!
 //! # Reactions
 //! With L all that acts on the pin from outside the group, F and M what acts on a bar but for its own

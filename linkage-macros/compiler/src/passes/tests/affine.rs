@@ -46,15 +46,15 @@ fn starts_at(text: &str, constant: &str) -> bool {
 }
 
 #[test]
-fn a_distance_that_at_most_doubles_is_affine() {
-    // 3² + 1 − 2·3·cos θ: from 2 to 4.
-    let beside = square("3", "0", "1", sum);
-    assert!(starts_at(&beside, "10") && beside.contains(" = 6\n"), "{beside}");
+fn a_distance_that_grows_by_half_at_most_is_affine() {
+    // 5² + 1 − 2·5·cos θ: from 4 to 6.
+    let beside = square("5", "0", "1", sum);
+    assert!(starts_at(&beside, "26") && beside.contains(" = 10\n"), "{beside}");
     assert!(beside.contains("mul %13 %1\n"), "{beside}");
     assert!(beside.trim_end().ends_with("%16 = sub %11 %14\nposition: %16"), "{beside}");
-    // The pivot inside the circle: 1 + 3² − 2·3·sin θ.
-    let inside = square("0", "1", "3", sum);
-    assert!(starts_at(&inside, "10") && inside.contains(" = 6\n"), "{inside}");
+    // The pivot inside the circle: 1 + 5² − 2·5·sin θ.
+    let inside = square("0", "1", "5", sum);
+    assert!(starts_at(&inside, "26") && inside.contains(" = 10\n"), "{inside}");
     // Aside of both axes: 3² + 4² + 0.5² − 3 cos θ − 4 sin θ.
     let aside = square("3", "4", "0.5", sum);
     assert!(
@@ -65,33 +65,33 @@ fn a_distance_that_at_most_doubles_is_affine() {
 
 #[test]
 fn a_constant_beside_the_square_becomes_part_of_it() {
-    // Less (4 − 3)² it is 9 − 6 cos θ, and no sum of three.
-    let near = square("3", "0", "1", |g, squares| {
+    // Less (4 − 3)² it is 25 − 10 cos θ, and no sum of three.
+    let near = square("5", "0", "1", |g, squares| {
         let (square, limit) = (sum(g, squares), c(g, "1"));
         g.push(Node::Sub(square, limit))
     });
-    assert!(starts_at(&near, "9"), "{near}");
-    let far = square("3", "0", "1", |g, squares| {
+    assert!(starts_at(&near, "25"), "{near}");
+    let far = square("5", "0", "1", |g, squares| {
         let (square, limit) = (sum(g, squares), c(g, "49"));
         g.push(Node::Sub(limit, square))
     });
-    assert!(far.trim_end().ends_with(" = 39\n%19 = add %18 %14\nposition: %19"), "{far}");
+    assert!(far.trim_end().ends_with(" = 23\n%19 = add %18 %14\nposition: %19"), "{far}");
 }
 
 #[test]
-fn a_distance_that_more_than_doubles_stays_a_sum_of_squares() {
-    for near in [square("3", "0", "1.01", sum), square("1", "0", "1.1", sum)] {
+fn a_distance_that_grows_by_more_than_half_stays_a_sum_of_squares() {
+    for near in [square("5", "0", "1.01", sum), square("1", "0", "1.1", sum)] {
         assert!(near.trim_end().ends_with("%13 = add %7 %11\nposition: %13"), "{near}");
     }
 }
 
 #[test]
 fn what_is_asked_for_its_rounding_error_stays_a_sum_of_squares() {
-    let kept = square("3", "0", "1", |g, [xx, yy]| {
+    let kept = square("5", "0", "1", |g, [xx, yy]| {
         let (square, error) = (g.push(Node::Add(xx, yy)), g.push(Node::AddErr(xx, yy)));
         g.push(Node::Add(square, error))
     });
-    assert!(!starts_at(&kept, "10"), "{kept}");
+    assert!(!starts_at(&kept, "26"), "{kept}");
 }
 
 #[test]

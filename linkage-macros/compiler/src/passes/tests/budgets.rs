@@ -9,7 +9,8 @@
 //! accelerations of an rrr whose bars are nearly of one length, or of lengths not known before run
 //! time, pay for the digits that their centripetal terms would lose. Bars of lengths not known before
 //! run time also pay for what rounding does to their height, which says on which side of a limit they
-//! are.
+//! are. Between three and five lengths of the crank away, a pivot on its axis costs a position one
+//! multiplication: the affine square agrees less well with the line whose square it is.
 
 use crate::interface::entries::EntryPoint;
 use crate::ir::cost::{Operations, operations};
@@ -124,7 +125,7 @@ fn friction_keeps_its_budgets() {
          output q.drive;"
     );
     let found = [written(rrr, "forces"), written(rrr, "statics")];
-    assert!(found[0] <= 472 && found[1] <= 366, "{found:?}");
+    assert!(found[0] <= 473 && found[1] <= 365, "{found:?}");
 }
 
 /// Name, declaration, and the budgets of position and motion.
@@ -153,71 +154,71 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rrr, pin",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
-        [11, 12, 1, 1, 1],
-        [23, 36, 2, 1, 1],
+        [10, 12, 1, 1, 1],
+        [22, 35, 2, 1, 1],
     ),
     (
         "rrr, axis-parallel pivots",
         after_crank!("rrr BC(B), EC(E) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
-        [8, 11, 1, 1, 1],
+        [8, 12, 1, 1, 1],
         [19, 34, 2, 1, 1],
     ),
     (
         "rrr, equal bars",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.8), mode: left } output C;"),
-        [10, 11, 1, 1, 1],
-        [21, 36, 2, 1, 1],
+        [8, 11, 1, 1, 1],
+        [20, 35, 2, 1, 1],
     ),
     (
         "rrr, bars that differ by a seventh",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.6), mode: left } output C;"),
-        [11, 12, 1, 1, 1],
-        [23, 36, 2, 1, 1],
+        [10, 12, 1, 1, 1],
+        [22, 35, 2, 1, 1],
     ),
     (
         "rrr, bars that differ by less",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.601), mode: left } output C;"),
-        [11, 12, 1, 1, 1],
-        [25, 38, 2, 1, 1],
+        [10, 12, 1, 1, 1],
+        [24, 37, 2, 1, 1],
     ),
     (
         "rrr, first bar",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC;"),
-        [11, 14, 1, 1, 1],
-        [20, 32, 2, 1, 1],
+        [10, 14, 1, 1, 1],
+        [18, 31, 2, 1, 1],
     ),
     (
         "rrr, both bars and pin",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC, DC, C;"),
-        [13, 16, 1, 1, 1],
-        [28, 45, 2, 1, 1],
+        [12, 16, 1, 1, 1],
+        [26, 46, 2, 1, 1],
     ),
     (
         "rrr, coupler point",
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } point P on BC at (0.3, 0.1); output P;"
         ),
-        [15, 16, 1, 1, 1],
-        [32, 46, 2, 1, 1],
+        [14, 16, 1, 1, 1],
+        [30, 45, 2, 1, 1],
     ),
     (
         "rrr, a length to tune",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (p, 0.5), mode: left } output C;"),
-        [13, 21, 2, 1, 1],
-        [30, 56, 3, 1, 1],
+        [11, 20, 2, 1, 1],
+        [29, 57, 3, 1, 1],
     ),
     (
         "rrr on moving points",
         after_crank!("rrr BC(B), FC(F) -> C { lengths: (0.8, 0.7), mode: left } output C;"),
         [13, 14, 1, 1, 2],
-        [34, 50, 2, 1, 2],
+        [34, 49, 2, 1, 2],
     ),
     (
         "rrr with a cylinder on the ground",
         "struct M { input s: length; ground A(0, 0), D(0.9, 0.15);
          rrr AC(A), DC(D) -> C { lengths: (s, 0.5), mode: left } output C; }",
         [8, 11, 0, 1, 0],
-        [12, 25, 1, 1, 0],
+        [12, 24, 1, 1, 0],
     ),
     (
         "rrr with a cylinder between joints of one link",
@@ -225,7 +226,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
          crank AB(A) -> B { length: 0.3, angle: q } point K on AB at (0.25, 0.2);
          rrr KC(K), BC(B) -> C { lengths: (s, 0.6), mode: right } output C; }",
         [10, 18, 0, 1, 1],
-        [22, 40, 1, 1, 1],
+        [22, 39, 1, 1, 1],
     ),
     (
         "rrr with a cylinder between joints of two links",
@@ -233,21 +234,21 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
          crank AB(A) -> B { length: 0.3, angle: q } crank DE(D) -> E { length: 0.2, angle: -q }
          rrr EC(E), BC(B) -> C { lengths: (s, 0.6), mode: right } output C; }",
         [13, 23, 2, 1, 2],
-        [48, 81, 3, 1, 2],
+        [48, 80, 3, 1, 2],
     ),
     (
         "rrr with a cylinder",
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8 + 0.1m * q, 0.5), mode: left } output C;"
         ),
-        [14, 22, 2, 1, 1],
-        [39, 76, 3, 1, 1],
+        [12, 21, 2, 1, 1],
+        [37, 74, 3, 1, 1],
     ),
     (
         "rrp on a level guide",
         after_crank!("rrp BC(B), block(level) -> C { length: 0.9, mode: ahead } output C;"),
         [4, 3, 0, 1, 1],
-        [10, 18, 1, 1, 1],
+        [10, 17, 1, 1, 1],
     ),
     (
         "rrp on a level guide with offset",
@@ -255,25 +256,25 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
             "rrp BC(B), block(level) -> C { length: 0.9, offset: 0.05, mode: ahead } output C;"
         ),
         [5, 3, 0, 1, 1],
-        [11, 18, 1, 1, 1],
+        [11, 17, 1, 1, 1],
     ),
     (
         "rrp on an upright guide",
         after_crank!("rrp BC(B), block(post) -> C { length: 0.9, mode: ahead } output C;"),
         [4, 3, 0, 1, 1],
-        [10, 18, 1, 1, 1],
+        [10, 17, 1, 1, 1],
     ),
     (
         "rrp on a sloping guide",
         after_crank!("rrp BC(B), block(slope) -> C { length: 0.9, mode: ahead } output C;"),
         [9, 9, 0, 1, 1],
-        [19, 36, 1, 1, 1],
+        [19, 35, 1, 1, 1],
     ),
     (
         "rrp on a moving guide",
         after_crank!("rrp BC(B), block(way) -> C { length: 1.9, mode: ahead } output C;"),
         [14, 17, 0, 1, 2],
-        [36, 46, 1, 1, 2],
+        [36, 45, 1, 1, 2],
     ),
     (
         "rrp, slide",
@@ -281,26 +282,26 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
             "rrp BC(B), block(slope) -> C { length: 0.9, mode: ahead } output block.slide;"
         ),
         [7, 7, 0, 1, 1],
-        [17, 30, 1, 1, 1],
+        [17, 29, 1, 1, 1],
     ),
-    ("rpr", after_crank!("rpr block(B), bar(D) {} output bar;"), [4, 8, 1, 1, 1], [7, 18, 1, 1, 1]),
+    ("rpr", after_crank!("rpr block(B), bar(D) {} output bar;"), [3, 6, 1, 1, 1], [6, 18, 2, 1, 1]),
     (
         "rpr with slide",
         after_crank!("rpr block(B), bar(D) {} output block;"),
-        [4, 8, 1, 1, 1],
-        [10, 24, 1, 1, 1],
+        [3, 6, 1, 1, 1],
+        [8, 24, 2, 1, 1],
     ),
     (
         "rpr with offset",
         after_crank!("rpr block(B), bar(D) { offset: 0.1 } output block;"),
-        [7, 10, 1, 1, 1],
-        [16, 34, 2, 1, 1],
+        [6, 10, 1, 1, 1],
+        [15, 33, 2, 1, 1],
     ),
     (
         "rpr about a moving pivot",
         after_crank!("rpr block(B), bar(F) {} output block;"),
-        [4, 9, 1, 1, 2],
-        [18, 36, 1, 1, 2],
+        [4, 8, 1, 1, 2],
+        [18, 35, 1, 1, 2],
     ),
     (
         "prp on axis-parallel guides",

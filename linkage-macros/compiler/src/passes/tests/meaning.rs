@@ -98,9 +98,9 @@ fn a_given_cosine_and_sine_are_all_that_is_read_of_an_angle() {
 /// before the formulas: here it shows what they would make of it.
 #[test]
 fn off_the_circle_a_coupler_would_not_keep_its_length() {
-    let four_bar = "struct M { input q: angle; ground A(0, 0), D(0.3048, 0);
-        crank AB(A) -> B { length: 0.1016, angle: q }
-        rrr BC(B), DC(D) -> C { lengths: (0.254, 0.1778), mode: left } output B, C; }";
+    let four_bar = "struct M { input q: angle; ground A(0, 0), D(0.6, 0);
+        crank AB(A) -> B { length: 0.1, angle: q }
+        rrr BC(B), DC(D) -> C { lengths: (0.5, 0.4), mode: left } output B, C; }";
     let mechanism = mechanism(four_bar);
     let program = optimise(&equations::derive(&mechanism, RULES));
     let length = |amplitude: f64| {
@@ -117,6 +117,6 @@ fn off_the_circle_a_coupler_would_not_keep_its_length() {
         let [bx, by, cx, cy] = [0, 1, 2, 3].map(|i| pins[i].to_f64());
         (cx - bx).hypot(cy - by)
     };
-    assert!((length(1.0) - 0.254).abs() < 1e-15, "{}", length(1.0));
-    assert!((length(1.01) - 0.254).abs() > 1e-4, "{}", length(1.01));
+    assert!((length(1.0) - 0.5).abs() < 1e-15, "{}", length(1.0));
+    assert!((length(1.01) - 0.5).abs() > 1e-5, "{}", length(1.01));
 }

@@ -1,7 +1,5 @@
 //! The triangle of the joints B, D and C: what the position of the group is made of.
 
-use std::ops::{Add, Mul, Sub};
-
 use crate::equations::crank_pin::CrankPin;
 use crate::equations::double_word::DoubleWord;
 use crate::equations::motion::PointMotion;
@@ -47,16 +45,7 @@ impl<'s> Triangle<'s> {
         let across = self.height * self.line.normal();
         scope.note("h n x", across.x);
         scope.note("h n y", across.y);
-        self.both(self.line, across)
-    }
-
-    /// Images of both bars under a linear map, given those of d and h d⊥.
-    pub(super) fn both<V>(&self, line: V, across: V) -> [V; 2]
-    where
-        V: Copy + Add<Output = V> + Sub<Output = V>,
-        Sym<'s>: Mul<V, Output = V>,
-    {
-        let [a, b] = self.along;
+        let ([a, b], line) = (self.along, self.line);
         let (second, third) = (|| a * line + across, || across - b * line);
         match self.shorter {
             // Halves of d cost nothing.
@@ -67,12 +56,19 @@ impl<'s> Triangle<'s> {
         }
     }
 
-    /// The products of both bars with a vector f, from d·f and d × f: those with it, and those
-    /// across, r × f.
-    pub(super) fn products(&self, dot: Sym<'s>, cross: Sym<'s>) -> [[Sym<'s>; 2]; 2] {
-        let dots = self.both(dot, self.height * cross);
-        let crosses = self.both(cross, -(self.height * dot));
-        [dots, crosses]
+    /// r × f of both bars, given d × f, by which the longer bar's differs from the other's.
+    pub(super) fn crosses(
+        &self,
+        [r2, r3]: [Vector<'s>; 2],
+        f: Vector<'s>,
+        line: Sym<'s>,
+    ) -> [Sym<'s>; 2] {
+        let (second, third) = (|| r2.cross(f), || r3.cross(f));
+        match self.shorter {
+            Some(0) => [second(), second() - line],
+            Some(_) => [third() + line, third()],
+            None => [second(), third()],
+        }
     }
 }
 
@@ -91,16 +87,19 @@ pub(super) fn triangle<'s>(
     let line = scope.call_vector("d", joints[0].to(joints[1]));
     let is_compensated = scope.numerics == Numerics::Compensated;
     let crank = if is_compensated { None } else { CrankPin::of(joints) };
-    let plain = scope.note("d d", crank.map_or_else(|| line.dot(line), CrankPin::square));
+    let plain = scope.note("d d", line.dot(line));
     let square = plain.guarded_by(Check::SquareOfCentres, scope.group, &[line.x, line.y, l2, l3]);
     let over_square = scope.label("inverse d2", scope.label("d2", square).recip());
-    let factors = match (is_compensated, crank) {
-        (true, _) => carried(line, [l2, l3]),
-        (false, Some(crank)) => behind_crank(crank, [l2, l3]),
-        (false, None) => {
-            let near = (plain - (l2 - l3).squared()).half();
-            Factors { near, far: (l2 * l3).twice() - near }
-        }
+    let factors = if is_compensated {
+        carried(line, [l2, l3])
+    } else {
+        // The half of a constant is one, and that of d² is fused into the difference.
+        let bars = (l2 - l3).squared();
+        let near = match bars.is_constant() {
+            true => plain.half() - bars.half(),
+            false => (plain - bars).half(),
+        };
+        Factors { near, far: (l2 * l3).twice() - near }
     };
     let half = scope.label("i half", factors.near);
     let height = Height::of(scope, line, [l2, l3], factors, [plain, over_square], mode);
@@ -137,18 +136,6 @@ pub(super) fn triangle<'s>(
     }
 }
 
-/// Behind a crank both factors are affine in the same product and wait for nothing else. The second one's
-/// own rounding makes the bars longer or shorter by last places of the longer one, so that neither may be
-/// more than four times as long as the other.
-fn behind_crank<'s>(crank: CrankPin<'s>, [l2, l3]: [Sym<'s>; 2]) -> Factors<'s> {
-    let [sum, along] = crank.square_parts();
-    let mean = (sum - (l2 - l3).squared()).half();
-    let (near, product) = (mean - along, (l2 * l3).twice());
-    let ratio = (l2 / l3).constant_value();
-    let are_comparable = ratio.is_some_and(|ratio| (0.25..=4.0).contains(&ratio.abs()));
-    Factors { near, far: if are_comparable { product - mean + along } else { product - near } }
-}
-
 /// The factors with the rounding errors of every sum and square put back.
 fn carried<'s>(d: Vector<'s>, lengths: [Sym<'s>; 2]) -> Factors<'s> {
     let square = DoubleWord::square_of(d, DoubleWord::of_coordinate);
@@ -163,7 +150,7 @@ struct Height<'s> {
     height: Sym<'s>,
     /// J
     cross: Sym<'s>,
-    /// 1/J: the division runs beside the root.
+    /// 1/J. As J/J² beside the root it would be rounded once more, and so would every rate.
     inverse: Sym<'s>,
     /// 1/l₂l₃
     over_product: Sym<'s>,
@@ -199,9 +186,10 @@ impl<'s> Height<'s> {
         };
         let circles = [d.x, d.y, l2, l3, unit, spread];
         let square = rounded.guarded_by(Check::ReachCircles, scope.group, &circles);
-        let root = mode * square.sqrt();
-        let not_zero = square.guarded_by(Check::Nonzero, scope.group, &[]);
-        let by_root = root * scope.note("j2 not zero", not_zero).recip();
+        let magnitude = square.sqrt();
+        let root = mode * magnitude;
+        // The other assembly of the same bars has it as well.
+        let by_root = mode * magnitude.guarded_by(Check::Nonzero, scope.group, &[]).recip();
         scope.label("j2", square);
         scope.label("j", root);
         let height = scope.label("h", root * (area * over_square));

@@ -3,7 +3,7 @@
 //! # Behind a crank
 //! Where B swings about a point of the ground with the arm a, and D is a point of the ground, the velocity
 //! ω a⊥ and the acceleration α a⊥ − ω² a of B lead to two products with a bar r, which serve both of its
-//! rates and are affine in h like r:
+//! rates:
 //!
 //! ```text
 //! w·r = ω (r × a)       g·r = α (r × a) + ω² a·r
@@ -46,6 +46,7 @@
 use super::triangle::Triangle;
 use crate::equations::crank_pin::CrankPin;
 use crate::equations::jet::Jet;
+use crate::equations::motion::Swing;
 use crate::equations::parts::{Bar, GroupScope};
 use crate::equations::symbol::Sym;
 
@@ -59,7 +60,7 @@ impl<'s> Triangle<'s> {
     ) -> [(Sym<'s>, Sym<'s>); 2] {
         let are_driven = lengths.map(|length| !length.is_fixed());
         if let (Some(crank), [false, false]) = (self.crank, are_driven) {
-            return self.swinging(scope, crank);
+            return self.swinging(scope, crank, bars);
         }
         match are_driven {
             _ if !bars.iter().all(|bar| bar.stands()) => self.moving(scope, bars),
@@ -125,11 +126,17 @@ impl<'s> Triangle<'s> {
     }
 
     /// Behind a crank.
-    fn swinging(&self, scope: &GroupScope<'s>, crank: CrankPin<'s>) -> [(Sym<'s>, Sym<'s>); 2] {
-        let (omega, alpha) = (crank.swing.omega, crank.swing.alpha);
-        let along = scope.note("a dot d", crank.along());
+    fn swinging(
+        &self,
+        scope: &GroupScope<'s>,
+        crank: CrankPin<'s>,
+        bars: [Bar<'s>; 2],
+    ) -> [(Sym<'s>, Sym<'s>); 2] {
+        let Swing { omega, alpha, arm, .. } = crank.swing;
+        let r = bars.map(Bar::vector);
         let across = scope.note("d cross a", crank.across);
-        let [[dot2, dot3], [cross2, cross3]] = self.products(along, across);
+        let ([dot2, dot3], [cross2, cross3]) =
+            (r.map(|r| r.dot(arm)), self.crosses(r, arm, across));
         let turning = scope.note("omega1 j", omega * self.inverse);
         let rates = [turning * cross3, turning * cross2];
         let square = scope.note("omega1 squared", omega.squared());
@@ -140,7 +147,7 @@ impl<'s> Triangle<'s> {
         for (letter, symbol) in own {
             scope.note(letter, symbol);
         }
-        self.rates(scope, rates, g, -(turning * crank.across))
+        self.rates(scope, rates, g, -(turning * across))
     }
 
     /// Between joints that move otherwise.
