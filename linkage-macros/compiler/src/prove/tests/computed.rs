@@ -14,6 +14,9 @@ pub(crate) trait Float: Scalar {
     fn of(value: f64) -> Self;
     fn fused_once(self, b: Self, c: Self) -> Self;
     fn is_at_least(self, other: Self) -> bool;
+    /// Sine and cosine by the standard library.
+    fn library_sin_cos(self) -> (Self, Self);
+    fn epsilon() -> f64;
 }
 
 macro_rules! float {
@@ -30,6 +33,12 @@ macro_rules! float {
             }
             fn is_at_least(self, other: Self) -> bool {
                 self >= other
+            }
+            fn library_sin_cos(self) -> (Self, Self) {
+                <$type>::sin_cos(self)
+            }
+            fn epsilon() -> f64 {
+                <$type>::EPSILON.into()
             }
         }
     };
@@ -67,7 +76,7 @@ fn leaf<T: Float>(subject: &Goal<'_>, node: Node, pose: &[f64]) -> T {
     }
 }
 
-fn of_node<T: Float>(
+pub(super) fn of_node<T: Float>(
     subject: &Goal<'_>,
     values: &[T],
     node: Node,
