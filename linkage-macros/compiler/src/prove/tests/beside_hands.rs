@@ -57,13 +57,12 @@ impl Trial {
         let sizes = orders.map(|order| order.iter().map(Vec::len).collect());
         let mut trial =
             Self { machine, case, rates: [rate, second], poses, sizes, truth: Vec::new() };
-        trial.truth = match width {
-            Precision::Double => trial.poses.iter().map(|&pose| trial.exact(pose)).collect(),
-            Precision::Single => {
-                let wide = trial.generated::<f64>(Precision::Double, false);
-                let alone = |value: f64| [value, 0.0];
-                wide.into_iter().map(|pose| pose.into_iter().map(alone).collect()).collect()
-            }
+        trial.truth = if width == Precision::DOUBLE {
+            trial.poses.iter().map(|&pose| trial.exact(pose)).collect()
+        } else {
+            let wide = trial.generated::<f64>(Precision::DOUBLE, false);
+            let alone = |value: f64| [value, 0.0];
+            wide.into_iter().map(|pose| pose.into_iter().map(alone).collect()).collect()
         };
         trial
     }
@@ -194,13 +193,13 @@ fn beside_hands(Sample { machines, poses }: Sample, width: Precision) -> [[[Vec<
         let trials: Vec<Trial> =
             (0..machines).map(|_| Trial::of(&mut draw, topology, width, poses)).collect();
         [false, true].map(|is_fused| {
-            let errors = |trial: &Trial| match width {
-                Precision::Single => trial.all::<f32>(width, is_fused),
-                Precision::Double => trial.all::<f64>(width, is_fused),
+            let errors = |trial: &Trial| match width == Precision::DOUBLE {
+                true => trial.all::<f64>(width, is_fused),
+                false => trial.all::<f32>(width, is_fused),
             };
             let all: Vec<_> = trials.iter().map(errors).collect();
             let fused = if is_fused { "fused" } else { "plain" };
-            row(&format!("{topology:?} {width:?} {fused}"), &all)
+            row(&format!("{topology:?} {} {fused}", width.of_width(["f64", "f32"])), &all)
         })
     })
 }
@@ -209,8 +208,8 @@ fn beside_hands(Sample { machines, poses }: Sample, width: Precision) -> [[[Vec<
 /// many.
 #[test]
 fn programs_err_no_more_than_the_better_hand() {
-    let wide = beside_hands(Sample { machines: 12, poses: 50 }, Precision::Double);
-    let narrow = beside_hands(Sample { machines: 12, poses: 200 }, Precision::Single);
+    let wide = beside_hands(Sample { machines: 12, poses: 50 }, Precision::DOUBLE);
+    let narrow = beside_hands(Sample { machines: 12, poses: 200 }, Precision::SINGLE);
     for order in 0..3 {
         let all = wide.iter().chain(&narrow).flatten();
         let median = of_share(all.flat_map(|ratios| ratios[order].clone()).collect(), 0.5);
@@ -231,18 +230,18 @@ fn programs_err_no_more_than_the_better_hand() {
 fn programs_of_each_topology_err_no_more_than_the_better_hand() {
     let sample = |poses| Sample { machines: 200, poses };
     let mut beyond = Vec::new();
-    for (width, poses) in [(Precision::Single, 400), (Precision::Double, 100)] {
+    for (width, poses) in [(Precision::SINGLE, 400), (Precision::DOUBLE, 100)] {
         let all = beside_hands(sample(poses), width);
         for (topology, ratios) in TOPOLOGIES.into_iter().zip(all) {
             for (order, ratios) in ratios.iter().flat_map(|ratios| ratios.iter().enumerate()) {
                 let [median, most] = [0.5, 0.95].map(|share| of_share(ratios.clone(), share));
-                let is_held = width == Precision::Single
+                let is_single = width == Precision::SINGLE;
+                let is_held = is_single
                     && (order == 0
                         || matches!(topology, Topology::InvertedSlider | Topology::SixBar));
                 let is_missed = matches!(
-                    (topology, order, width),
-                    (Topology::SliderCrank, 0, Precision::Double)
-                        | (Topology::FourBar, 1, Precision::Single)
+                    (topology, order, is_single),
+                    (Topology::SliderCrank, 0, false) | (Topology::FourBar, 1, true)
                 );
                 if !is_missed && median > 1.1 || is_held && most > 1.5 {
                     beyond.push(format!("{topology:?} {order} {width:?}: {median:.3} {most:.3}"));

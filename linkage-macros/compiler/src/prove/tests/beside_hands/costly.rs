@@ -30,11 +30,11 @@ fn title(graph: &Graph, id: Id) -> String {
 /// sum it is but for what errors do to each other.
 fn costs(trial: &Trial, order: usize) -> HashMap<String, f64> {
     let (program, given, sinks) = (&trial.case.program, &trial.case.given, &trial.case.sinks);
-    let found = trial.generated::<f32>(Precision::Single, false);
+    let found = trial.generated::<f32>(Precision::SINGLE, false);
     let Worst { error, pose, numbers, largest } = trial.worst(&found, order);
     let at = [trial.poses[pose]];
-    let narrow = Goal::new(&program.graph, (sinks, &[]), given, Precision::Single);
-    let wide = Goal::new(&program.graph, (sinks, &[]), given, Precision::Double);
+    let narrow = Goal::new(&program.graph, (sinks, &[]), given, Precision::SINGLE);
+    let wide = Goal::new(&program.graph, (sinks, &[]), given, Precision::DOUBLE);
     let values: Vec<f64> =
         computed::<f32>(&narrow, &at, false, None).into_iter().map(f64::from).collect();
     let point = OneBox::new(&wide, InputBox::new(&[[at[0], at[0]]]));
@@ -65,7 +65,7 @@ fn errors_are_what_nodes_cost() {
     for topology in TOPOLOGIES {
         let mut draw = draw_of(topology);
         let trials: Vec<Trial> =
-            (0..MACHINES).map(|_| Trial::of(&mut draw, topology, Precision::Single, 100)).collect();
+            (0..MACHINES).map(|_| Trial::of(&mut draw, topology, Precision::SINGLE, 100)).collect();
         for (order, name) in ["position", "velocity", "acceleration"].into_iter().enumerate() {
             let mut all: HashMap<String, f64> = HashMap::new();
             for (title, cost) in trials.iter().flat_map(|trial| costs(trial, order)) {
