@@ -61,7 +61,7 @@ macro_rules! asked_of_a_picture {
                 mut self,
                 results: impl IntoIterator<Item = Result<R, SolveError>>,
             ) -> Self {
-                self.options.loads.forces.extend(reactions(results));
+                self.options.loads.reactions.extend(reactions(results));
                 self
             }
 

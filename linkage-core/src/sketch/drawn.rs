@@ -186,7 +186,9 @@ impl Picture<'_> {
         let messages = messages(self.scene, self.options.unit).into_iter();
         let messages = messages.map(|message| (message, palette.accent));
         let legend = forces::legend(&self.loads, self.scene.plan.points).into_iter();
-        let legend = legend.map(|line| (line, palette.accent));
+        let all = self.loads.iter().map(|load| load.colour(palette));
+        let colour = all.reduce(|a, b| if a == b { a } else { palette.accent });
+        let legend = legend.map(|line| (line, colour.unwrap_or(palette.accent)));
         let room = self.page[0] - 40.0;
         let lines = messages.chain(legend).flat_map(|(text, colour)| {
             wrapped(&text, SMALL, room).into_iter().map(move |line| (line, colour))

@@ -17,6 +17,7 @@ use super::traces::point;
 pub(super) struct Load {
     pub point: usize,
     kind: Kind,
+    is_reaction: bool,
     /// Its line on the page: from the point to the tip, or along the arc.
     lines: Vec<Option<Vec<[f64; 2]>>>,
     /// Its size in every pose, in newtons or newton metres.
@@ -35,12 +36,14 @@ enum Kind {
 #[derive(Clone, Debug, Default)]
 pub(super) struct DrawnLoads {
     pub forces: Vec<(String, Vec<[f64; 2]>)>,
+    /// The same of joints.
+    pub reactions: Vec<(String, Vec<[f64; 2]>)>,
     pub couples: Vec<(String, Vec<f64>)>,
 }
 
 impl DrawnLoads {
     pub(super) fn is_empty(&self) -> bool {
-        self.forces.is_empty() && self.couples.is_empty()
+        self.forces.is_empty() && self.reactions.is_empty() && self.couples.is_empty()
     }
 }
 
@@ -61,7 +64,8 @@ impl Load {
         view: View,
         asked: &DrawnLoads,
     ) -> Result<Vec<Self>, SketchError> {
-        let sizes = asked.forces.iter().flat_map(|(_, force)| force).map(|[x, y]| x.hypot(*y));
+        let forces = || asked.forces.iter().chain(&asked.reactions);
+        let sizes = forces().flat_map(|(_, force)| force).map(|[x, y]| x.hypot(*y));
         let strongest = largest(sizes);
         let force = |(name, values): &(String, Vec<[f64; 2]>)| {
             let draw = |at: [f64; 2], [x, y]: [f64; 2]| {
@@ -82,7 +86,13 @@ impl Load {
             };
             Self::new(scene, view, (name, values), (Kind::Couple, hardest), draw)
         };
-        asked.forces.iter().map(force).chain(asked.couples.iter().map(couple)).collect()
+        let mut all: Vec<Self> = forces()
+            .map(force)
+            .chain(asked.couples.iter().map(couple))
+            .collect::<Result<_, _>>()?;
+        let reactions = all.iter_mut().skip(asked.forces.len()).take(asked.reactions.len());
+        reactions.for_each(|load| load.is_reaction = true);
+        Ok(all)
     }
 
     fn new<V: Copy>(
@@ -106,11 +116,16 @@ impl Load {
             sizes.push(size);
             lines.push(line);
         }
-        Ok(Self { point, kind, lines, sizes, largest })
+        Ok(Self { point, kind, is_reaction: false, lines, sizes, largest })
     }
 
     pub(super) fn extent(&self) -> Box2 {
         Box2::around(self.lines.iter().flatten().flatten().copied())
+    }
+
+    /// Its colour.
+    pub(super) fn colour(&self, palette: &Palette) -> &'static str {
+        if self.is_reaction { palette.push } else { palette.accent }
     }
 
     /// The sides of its line in a pose.
@@ -141,7 +156,7 @@ impl Load {
         };
         let look = format!(
             r#"data-{kind}="{name}" stroke="{}" stroke-width="2" stroke-linecap="round" stroke-linejoin="round""#,
-            palette.accent
+            self.colour(palette)
         );
         match self.kind {
             Kind::Force => {

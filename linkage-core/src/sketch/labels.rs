@@ -1,7 +1,6 @@
-//! Names beside joints: upright, on one side of their joint all the time, and where they cover least.
-//! A name that fits nowhere near stands farther away, at the end of a thin line. Where a joint, a link or
-//! another name comes in its way all the same it is dimmed until that has passed; it never goes while
-//! its joint is there.
+//! Names beside joints: upright, on one side of their joint as long as nothing comes in their way. Where a joint, a
+//! link or another name does, the name goes to another side, as seldom as possible. A name that fits nowhere near
+//! stands farther away, at the end of a thin line.
 
 use std::format;
 use std::string::String;
@@ -10,7 +9,7 @@ use std::vec::Vec;
 use super::boxes::Box2;
 
 use super::style::{FONT, JOINT, LABEL, Palette, has_descender, text_width};
-use super::svg::{Timing, Transform, escaped, pair, path, rigid};
+use super::svg::{Timing, Transform, escaped, fine, pair, path, rigid};
 
 /// Obstacles to labels in one pose, on the page.
 #[derive(Clone, Debug, Default)]
@@ -51,28 +50,24 @@ impl Label {
 /// Height of a capital letter, of its size.
 const RISE: f64 = 0.73;
 
-/// A label with its place beside the joint.
+/// A label with its places beside the joint.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
     label: Label,
-    /// From the joint to the middle of the text.
-    beside: [f64; 2],
+    /// From the joint to the middle of the text in every pose.
+    beside: Vec<[f64; 2]>,
     half: [f64; 2],
-    /// In which poses nothing is in its way.
-    free: Vec<bool>,
 }
 
-impl Placed {
-    /// The extent over all poses.
-    pub(super) fn extent(&self) -> Box2 {
-        (0..self.free.len()).filter_map(|pose| self.at(pose)).fold(Box2::NOTHING, Box2::with)
-    }
+/// A label at one place.
+#[derive(Clone, Copy)]
+struct Tried<'l> {
+    label: &'l Label,
+    beside: [f64; 2],
+    half: [f64; 2],
+}
 
-    pub(super) fn shift(&mut self, by: [f64; 2]) {
-        let at = self.label.at.iter_mut().flatten();
-        at.for_each(|spot| *spot = [spot[0] + by[0], spot[1] + by[1]]);
-    }
-
+impl Tried<'_> {
     /// The box covered in a pose; a label that stands still has one place for all.
     fn at(&self, pose: usize) -> Option<Box2> {
         let [x, y] = self.joint(pose)?;
@@ -97,51 +92,89 @@ impl Placed {
         Some(self.leader()?.map(|[dx, dy]| [x + dx, y + dy]))
     }
 
-    /// The opacity in each pose.
-    fn opacities(&self) -> Vec<f64> {
-        let opacity = |pose: usize| match () {
-            () if self.joint(pose).is_none() => 0.0,
-            () if self.free[pose] => 1.0,
-            () => DIMMED,
-        };
-        (0..self.free.len()).map(opacity).collect()
+    /// From the joint to where the text begins.
+    fn foot(&self) -> [f64; 2] {
+        [self.beside[0], self.beside[1] + self.label.baseline()]
+    }
+}
+
+impl Placed {
+    fn tried(&self, pose: usize) -> Tried<'_> {
+        Tried { label: &self.label, beside: self.beside[pose], half: self.half }
+    }
+
+    /// The extent over all poses.
+    pub(super) fn extent(&self) -> Box2 {
+        let poses = 0..self.beside.len();
+        poses.filter_map(|pose| self.tried(pose).at(pose)).fold(Box2::NOTHING, Box2::with)
+    }
+
+    pub(super) fn shift(&mut self, by: [f64; 2]) {
+        let at = self.label.at.iter_mut().flatten();
+        at.for_each(|spot| *spot = [spot[0] + by[0], spot[1] + by[1]]);
+    }
+
+    /// One pose of each place that it takes, in their order.
+    fn places(&self) -> Vec<usize> {
+        let mut first: Vec<usize> = Vec::new();
+        for (pose, beside) in self.beside.iter().enumerate() {
+            if !first.iter().any(|&known| self.beside[known] == *beside) {
+                first.push(pose);
+            }
+        }
+        first
     }
 
     fn drawn(&self, timing: Option<Timing>, palette: &Palette) -> String {
-        let opacities = self.opacities();
-        // A label of a still is never dimmed.
-        let first = match opacities[0] {
-            opacity if opacity > 0.0 && timing.is_none() => 1.0,
-            opacity => opacity,
-        };
-        if first == 0.0 && timing.is_none() {
+        let is_there: Vec<bool> =
+            (0..self.beside.len()).map(|pose| self.tried(pose).joint(pose).is_some()).collect();
+        if !is_there[0] && timing.is_none() {
             return String::new();
         }
-        let hidden = match first {
-            1.0 => String::new(),
-            opacity => format!(r#" opacity="{opacity}""#),
-        };
-        let fading = timing.map(|timing| timing.fading(&opacities)).unwrap_or_default();
-        let [dx, dy] = [self.beside[0], self.beside[1] + self.label.baseline()];
-        let seat = |at: &Option<[f64; 2]>| {
-            at.map(|[x, y]| Transform { at: [x + dx, y + dy], degrees: 0.0 })
-        };
-        let seats: Vec<_> = self.label.at.iter().map(seat).collect();
         let text = escaped(&self.label.text);
         let colour =
             self.label.colour.map(|colour| format!(r#" fill="{colour}""#)).unwrap_or_default();
-        let leader = self.leader().map(|ends| leader(ends.map(|[x, y]| [x - dx, y - dy]), palette));
-        if let ([Some(only)], None) = (&seats[..], &leader) {
-            let at = pair(only.at);
+        let (places, first) = (self.places(), self.tried(0));
+        if let ([Some([x, y])], [_], None) = (&self.label.at[..], &places[..], first.leader()) {
+            let [dx, dy] = first.foot();
+            let at = pair([x + dx, y + dy]);
             let (x, y) = at.split_once(' ').unwrap_or_default();
-            return format!(r#"<text x="{x}" y="{y}"{colour}{hidden}>{text}{fading}</text>"#);
+            return format!(r#"<text x="{x}" y="{y}"{colour}>{text}</text>"#);
         }
         // Where the joint is missing the label is not shown, wherever it would be.
+        let joints = super::svg::filled(&self.label.at).unwrap_or_default().into_iter();
+        let [ox, oy] = first.foot();
         let seats: Vec<_> =
-            super::svg::filled(&seats).unwrap_or_default().into_iter().map(Some).collect();
-        let leader = leader.unwrap_or_default();
-        let timing = timing.filter(|_| seats.len() > 1);
-        rigid(&seats, timing, &hidden, &format!("{fading}{leader}<text{colour}>{text}</text>"))
+            joints.map(|[x, y]| Some(Transform { at: [x + ox, y + oy], degrees: 0.0 })).collect();
+        let content = |pose: usize| {
+            let own = self.tried(pose);
+            let line =
+                own.leader().map(|ends| leader(ends.map(|[x, y]| [x - ox, y - oy]), palette));
+            let [x, y] = [own.foot()[0] - ox, own.foot()[1] - oy];
+            let at = if pose == 0 {
+                String::new()
+            } else {
+                format!(r#" x="{}" y="{}""#, fine(x), fine(y))
+            };
+            format!("{}<text{at}{colour}>{text}</text>", line.unwrap_or_default())
+        };
+        let seen = |pose: usize| -> Vec<bool> {
+            let is_here = self.beside.iter().map(|beside| *beside == self.beside[pose]);
+            is_here.zip(&is_there).map(|(is_here, is_there)| is_here && *is_there).collect()
+        };
+        let hidden = |seen: &[bool]| if seen[0] { "" } else { r#" opacity="0""# };
+        let shown = |seen: &[bool]| timing.map(|timing| timing.visible(seen)).unwrap_or_default();
+        let moving = timing.filter(|_| seats.len() > 1);
+        if let [only] = places[..] {
+            let own = seen(only);
+            let content = format!("{}{}", shown(&own), content(only));
+            return rigid(&seats, moving, hidden(&own), &content);
+        }
+        let all = places.into_iter().map(|pose| {
+            let own = seen(pose);
+            format!("<g{}>{}{}</g>", hidden(&own), shown(&own), content(pose))
+        });
+        rigid(&seats, moving, "", &all.collect::<String>())
     }
 }
 
@@ -156,8 +189,6 @@ fn leader(ends: [[f64; 2]; 2], palette: &Palette) -> String {
 
 /// The distance from which on a name needs a line to its joint.
 const FAR: f64 = JOINT + 22.0;
-/// The opacity of a label behind an obstacle.
-const DIMMED: f64 = 0.55;
 
 /// All labels in a group that says how they look.
 pub(super) fn drawn(labels: &[Placed], timing: Option<Timing>, palette: &Palette) -> String {
@@ -171,8 +202,7 @@ pub(super) fn drawn(labels: &[Placed], timing: Option<Timing>, palette: &Palette
     )
 }
 
-/// Puts every label where it can be seen most of the time, one after the other. There are obstacles for
-/// every pose.
+/// Puts every label where it can be seen, one after the other. There are obstacles for every pose.
 pub(super) fn place(labels: Vec<Label>, obstacles: &[Obstacles]) -> Vec<Placed> {
     let mut placed: Vec<Placed> = Vec::new();
     let count = obstacles.len().min(SAMPLES);
@@ -180,24 +210,75 @@ pub(super) fn place(labels: Vec<Label>, obstacles: &[Obstacles]) -> Vec<Placed> 
     let samples: Vec<usize> = (0..count).map(sample).collect();
     for label in labels {
         let half = label.half();
-        let mut best = Placed { label, beside: [0.0; 2], half, free: Vec::new() };
-        let (mut found, mut least) = ([0.0; 2], f64::INFINITY);
-        for (beside, bias) in places(half) {
+        let places: Vec<_> = places(half).collect();
+        let tried = |nth: usize| Tried { label: &label, beside: places[nth].0, half };
+        let (mut found, mut least) = (0, f64::INFINITY);
+        for (nth, &(_, bias)) in places.iter().enumerate() {
             if bias >= least {
                 continue;
             }
-            best.beside = beside;
-            let cost = bias + cost(&best, &samples, obstacles, &placed, least - bias);
+            let cost = bias + cost(&tried(nth), &samples, obstacles, &placed, least - bias);
             if cost < least {
-                (found, least) = (beside, cost);
+                (found, least) = (nth, cost);
             }
         }
-        best.beside = found;
-        let free = (0..obstacles.len()).map(|pose| is_free(&best, pose, obstacles, &placed));
-        best.free = steady(free.collect());
-        placed.push(best);
+        let is_free = |nth: usize, pose: usize| {
+            let own = tried(nth);
+            own.joint(pose).is_none() || is_free(&own, pose, obstacles, &placed)
+        };
+        let poses = obstacles.len();
+        let way = match (0..poses).all(|pose| is_free(found, pose)) {
+            true => std::vec![found; poses],
+            false => way(&places, found, poses, is_free),
+        };
+        let beside = way.into_iter().map(|nth| places[nth].0).collect();
+        placed.push(Placed { label, beside, half });
     }
     placed
+}
+
+/// The cost of a label that is covered in a pose, of one that goes elsewhere, and the share of what speaks against a place
+/// that counts in a pose.
+const COVERED: f64 = 100.0;
+const HOP: f64 = 30.0;
+const SHARE: f64 = 0.02;
+
+/// The place of each pose: of all ways over the poses the one that costs least. `found` is the best place for all.
+fn way(
+    places: &[([f64; 2], f64)],
+    found: usize,
+    poses: usize,
+    is_free: impl Fn(usize, usize) -> bool,
+) -> Vec<usize> {
+    let mut costs: Vec<f64> = std::vec![0.0; places.len()];
+    let mut before: Vec<Vec<usize>> = Vec::new();
+    for pose in 0..poses {
+        let least =
+            (0..places.len()).min_by(|&a, &b| costs[a].total_cmp(&costs[b])).unwrap_or(found);
+        let hop = if pose == 0 { 0.0 } else { costs[least] + HOP };
+        let from = |nth: usize| if hop < costs[nth] { least } else { nth };
+        let own: Vec<usize> = (0..places.len()).map(from).collect();
+        costs = (0..places.len())
+            .map(|nth| {
+                let bias = if nth == found { 0.0 } else { SHARE * (places[nth].1 + 1.0) };
+                let covered = if is_free(nth, pose) { 0.0 } else { COVERED };
+                costs[nth].min(hop) + bias + covered
+            })
+            .collect();
+        before.push(own);
+    }
+    let mut at = (0..places.len()).min_by(|&a, &b| costs[a].total_cmp(&costs[b])).unwrap_or(found);
+    let mut way: Vec<usize> = before
+        .iter()
+        .rev()
+        .map(|from| {
+            let own = at;
+            at = from[at];
+            own
+        })
+        .collect();
+    way.reverse();
+    way
 }
 
 /// Poses by which places are chosen.
@@ -223,7 +304,7 @@ fn places(half: [f64; 2]) -> impl Iterator<Item = ([f64; 2], f64)> {
 /// length of traces that it covers. A label hidden in the first pose costs much more, as a film that is
 /// not played shows that pose. The sum ends early once it reaches `most`.
 fn cost(
-    candidate: &Placed,
+    candidate: &Tried<'_>,
     samples: &[usize],
     obstacles: &[Obstacles],
     placed: &[Placed],
@@ -247,7 +328,7 @@ fn cost(
 }
 
 /// True if a label covers no joint, link, support or other label in a pose, and its line no joint or label.
-fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Placed]) -> bool {
+fn is_free(label: &Tried<'_>, pose: usize, obstacles: &[Obstacles], placed: &[Placed]) -> bool {
     let (Some(covered), Some(own)) = (label.at(pose), label.joint(pose)) else { return false };
     let Obstacles { lines, boxes, joints, .. } = &obstacles[pose];
     let leader = label.leader_at(pose);
@@ -261,6 +342,7 @@ fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Place
         covered.grown(width + CLEAR).length_inside(line) > 0.0
     };
     let on_label = |other: &Placed| {
+        let other = other.tried(pose);
         let covers = |box2: Box2| covered.overlap(box2.grown(CLEAR)) > 0.0 || crosses(box2);
         other.at(pose).is_some_and(covers)
             || other.leader_at(pose).is_some_and(|line| covered.length_inside(line) > 0.0)
@@ -274,41 +356,28 @@ fn is_free(label: &Placed, pose: usize, obstacles: &[Obstacles], placed: &[Place
 /// The smallest gap between a label and anything else, in pixels.
 const CLEAR: f64 = 2.0;
 
-/// Dims a label one pose before anything comes in its way until one pose later, and does not show it in
-/// full for a moment only.
-fn steady(free: Vec<bool>) -> Vec<bool> {
-    let last = free.len() - 1;
-    let around = |pose: usize| pose.saturating_sub(1)..=(pose + 1).min(last);
-    let mut shown: Vec<bool> = (0..=last).map(|pose| around(pose).all(|near| free[near])).collect();
-    // The first pose is shown in a film that is not played.
-    shown[0] = free[0];
-    let moment = free.len() / 12;
-    let mut start = 0;
-    while start <= last {
-        let same = shown[start..].iter().take_while(|other| **other == shown[start]).count();
-        let is_inside = start > 0 && start + same <= last;
-        if shown[start] && is_inside && same < moment {
-            shown[start..start + same].fill(false);
-        }
-        start += same;
-    }
-    shown
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// A bar passes by on the right: the name goes to the left once and comes back once.
     #[test]
-    fn a_label_is_hidden_before_something_comes_and_never_flickers() {
-        let mut free = std::vec![true; 60];
-        free[20] = false;
-        free[24] = false;
-        let shown = steady(free);
-        let hidden: Vec<usize> = (0..60).filter(|&pose| !shown[pose]).collect();
-        // 22 alone would be shown for a moment.
-        assert_eq!(hidden, [19, 20, 21, 22, 23, 24, 25]);
-        assert_eq!(steady(std::vec![false]), [false]);
+    fn a_label_gives_way_and_hops_seldom() {
+        let at = std::vec![Some([0.0, 0.0])];
+        let label = Label { text: "B".into(), at, colour: None };
+        let turning = |pose: i32| {
+            let (sin, cos) = f64::from(3 * pose).to_radians().sin_cos();
+            let line = [[0.0, 0.0], [100.0 * cos, 100.0 * sin]];
+            Obstacles { lines: std::vec![(line, 2.5)], ..Obstacles::default() }
+        };
+        let obstacles: Vec<Obstacles> = (0..120).map(turning).collect();
+        let placed = place(std::vec![label], &obstacles);
+        let hops = placed[0].beside.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        assert!((1..=2).contains(&hops), "{hops}");
+        for (pose, obstacles) in obstacles.iter().enumerate() {
+            let covered = placed[0].tried(pose).at(pose).unwrap();
+            assert_eq!(covered.grown(2.5).length_inside(obstacles.lines[0].0), 0.0, "{pose}");
+        }
     }
 
     #[test]
@@ -318,7 +387,7 @@ mod tests {
         let line = [[-100.0, 100.0], [100.0, -100.0]];
         let obstacles = Obstacles { lines: std::vec![(line, 2.5)], ..Obstacles::default() };
         let placed = place(std::vec![label], &[obstacles]);
-        let covered = placed[0].at(0).unwrap();
+        let covered = placed[0].tried(0).at(0).unwrap();
         assert_eq!(covered.grown(2.5).length_inside(line), 0.0);
         assert!(!covered.holds([0.0, 0.0]));
     }

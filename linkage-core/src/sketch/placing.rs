@@ -200,8 +200,10 @@ impl Picture<'_> {
 
     /// The values of forces and couples in the first pose.
     fn values(&self) -> Vec<Label> {
-        let written = self.loads.iter().filter_map(|load| load.value(0));
-        let colour = Some(self.palette.accent);
-        written.map(|(at, text)| Label { text, at: [Some(at)].into(), colour }).collect()
+        let written = self.loads.iter().filter_map(|load| {
+            let (at, text) = load.value(0)?;
+            Some(Label { text, at: [Some(at)].into(), colour: Some(load.colour(&self.palette)) })
+        });
+        written.collect()
     }
 }

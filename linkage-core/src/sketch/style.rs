@@ -50,13 +50,15 @@ pub struct Palette {
     pub quiet: &'static str,
     /// Forces, couples, and what is missing in a pose.
     pub accent: &'static str,
+    /// Reactions of joints.
+    pub push: &'static str,
     /// The links', by their declaration: told apart without colour vision too (Okabe and Ito).
     pub links: [&'static str; 6],
 }
 
 impl Palette {
     fn all(&self) -> impl Iterator<Item = &'static str> {
-        [self.paper, self.ink, self.quiet, self.accent].into_iter().chain(self.links)
+        [self.paper, self.ink, self.quiet, self.accent, self.push].into_iter().chain(self.links)
     }
 }
 
@@ -70,6 +72,7 @@ impl Theme {
                 ink: "#222222",
                 quiet: "#667079",
                 accent: "#b8123c",
+                push: "#6f42c1",
                 links: ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"],
             },
             Self::Dark => Palette {
@@ -77,6 +80,7 @@ impl Theme {
                 ink: "#e6edf3",
                 quiet: "#7d8590",
                 accent: "#ff7d95",
+                push: "#b99aff",
                 links: ["#f08a3c", "#4ea1e0", "#2fc99b", "#e39cc4", "#f2b53b", "#7cc7f2"],
             },
         }

@@ -152,42 +152,6 @@ impl Timing {
         )
     }
 
-    /// Goes from opacity to opacity within a few frames, so that every frame has its own at most.
-    pub(super) fn fading(self, opacities: &[f64]) -> String {
-        let opacity = |frame: usize| {
-            let near = (0..FADE).flat_map(|by| {
-                let around = [frame.checked_sub(by), Some(frame + by)].into_iter().flatten();
-                let rise = by as f64 / FADE as f64;
-                around
-                    .filter_map(|other| opacities.get(other))
-                    .map(move |own| own + (1.0 - own) * rise)
-            });
-            near.fold(1.0, f64::min)
-        };
-        let steps: Vec<f64> = (0..self.frames).map(opacity).collect();
-        let is_near = |a: f64, b: f64| (a - b).abs() < 1e-9;
-        if steps.iter().all(|&step| is_near(step, steps[0])) {
-            return String::new();
-        }
-        let last = self.frames - 1;
-        // Only where it begins to change, or ceases to.
-        let bends = |&frame: &usize| {
-            let is_inside = frame > 0 && frame < last;
-            !is_inside || !is_near(steps[frame - 1] + steps[frame + 1], 2.0 * steps[frame])
-        };
-        let frames: Vec<usize> = (0..self.frames).filter(bends).collect();
-        let list = |value: &dyn Fn(usize) -> f64, decimals: usize| {
-            let values = frames.iter().map(|&frame| number(value(frame), decimals));
-            values.collect::<Vec<_>>().join(";")
-        };
-        format!(
-            r#"<animate attributeName="opacity" {} keyTimes="{}" values="{}"/>"#,
-            self.duration(),
-            list(&|frame| frame as f64 / last as f64, 5),
-            list(&|frame| steps[frame], 2),
-        )
-    }
-
     /// The two animations of a rigid group, or the attribute alone where it stands still.
     fn transforms(self, seats: &[Transform]) -> String {
         let places: Vec<String> = seats.iter().map(|seat| pair(seat.at)).collect();
@@ -218,9 +182,6 @@ impl Timing {
 
 /// The part of a frame's time for which a body that goes is seen still.
 const EDGE: f64 = 0.02;
-
-/// Frames in which a label fades.
-const FADE: usize = 3;
 
 /// The angles, none more than half a turn from the one before.
 pub(super) fn unrolled(seats: &[Transform]) -> impl Iterator<Item = f64> {

@@ -2,7 +2,7 @@
 
 use gallery::declarations::{five_bar_robot, flying_shear, range};
 use linkage_core::SolveError;
-use linkage_core::sketch::{SketchError, Unit};
+use linkage_core::sketch::{SketchError, Theme, Unit};
 
 use super::xml::parse;
 
@@ -88,7 +88,13 @@ fn reactions_are_read_from_the_results() {
         .force("C", forces.map(|f| [f.BC.C.x, f.BC.C.y]))
         .force("D", forces.map(|f| [f.DC.D.x, f.DC.D.y]));
     let text = read.to_svg().unwrap();
-    assert_eq!((arrows(&text).len(), &text), (4, &given.to_svg().unwrap()));
+    // Reactions have a colour of their own.
+    let (own, other) = (Theme::Light.palette().push, Theme::Light.palette().accent);
+    let given = given.to_svg_in(Theme::Light).unwrap();
+    assert!(
+        read.to_svg_in(Theme::Light).unwrap() == given.replace(other, own) && given.contains(other)
+    );
+    assert_eq!(arrows(&text).len(), 4);
     // A pose without a result has no arrows; there is none for what has no joint.
     let failed = path.map(|q| {
         if q == 0.0 { Err(SolveError::Singular { group: "" }) } else { shear.statics(q, 1e4) }

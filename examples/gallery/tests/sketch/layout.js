@@ -86,11 +86,10 @@ const check = (film, [name, poses, seconds], report) => {
   const hard = new Set(shapes.filter((shape) => isHard(shape, ink)));
   const { width, height } = film.viewBox.baseVal;
   const isOutside = (x, y, half) => Math.min(x, y, width - x, height - y) < half;
-  const times = poses > 1 ? Array.from({ length: Math.ceil((poses - 1) / 2.5) }, (_, k) => 2.5 * k) : [0];
+  const times = poses > 1 ? Array.from({ length: poses }, (_, k) => k) : [0];
   for (const time of times) {
     film.setCurrentTime(time / Math.max(1, poses - 1) * seconds);
-    // What is dimmed is passed.
-    const boxes = texts.filter((text) => opacity(text) > 0.9).map((text) => [text.textContent, letters(text)]);
+    const boxes = texts.filter((text) => opacity(text) > 0.05).map((text) => [text.textContent, letters(text)]);
     boxes.forEach(([text, box], nth) => {
       report.texts += 1;
       if (isOutside(box.left, box.top, 1) || isOutside(box.right, box.bottom, 1)) report.add(name, time, text, "the edge");

@@ -80,7 +80,7 @@ fn luminance(colour: &str) -> f64 {
 fn whatever_is_written_stands_out_from_the_paper() {
     for theme in [Theme::Auto, Theme::Light, Theme::Dark] {
         let palette = theme.palette();
-        for colour in [palette.ink, palette.quiet, palette.accent] {
+        for colour in [palette.ink, palette.quiet, palette.accent, palette.push] {
             let (a, b) = (luminance(colour), luminance(palette.paper));
             let contrast = (a.max(b) + 0.05) / (a.min(b) + 0.05);
             assert!(contrast >= 4.5, "{theme:?} {colour}: {contrast:.2}");

@@ -5,6 +5,7 @@ use gallery::motions::turn;
 use linkage_core::mechanism;
 use linkage_core::sketch::Film;
 
+use super::names::seen;
 use super::xml::{Element, numbers, parse};
 
 mechanism! {
@@ -71,21 +72,11 @@ fn the_arrow_of_a_crank_goes_the_way_the_crank_turns() {
 
 /// Where the middle of a name's line is in every pose.
 fn name(root: &Element, name: &str, poses: usize) -> Vec<[f64; 2]> {
-    let elements = root.all();
-    if let Some(still) = elements.iter().find(|e| e.text == name && e.attribute("x").is_some()) {
-        let at = ["x", "y"].map(|side| still.attribute(side).unwrap().parse().unwrap());
-        return vec![at; poses];
-    }
-    let holds = |e: &&&Element| e.children.iter().any(|c| c.name == "text" && c.text == name);
-    let group = elements.iter().find(holds).expect("the name is there");
-    let moves = group.children.iter().find(|c| c.attribute("type") == Some("translate"));
-    let values = numbers(moves.expect("it moves").attribute("values").unwrap());
-    assert_eq!(values.len(), 2 * poses, "{name}");
-    values.chunks(2).map(|at| [at[0], at[1]]).collect()
+    (0..poses).map(|pose| seen(root, name, (pose, poses))[0]).collect()
 }
 
 #[test]
-fn a_name_keeps_its_place_beside_its_joint_in_every_pose() {
+fn a_name_stays_on_one_side_of_its_joint_as_long_as_it_can() {
     let films = [
         flying_shear::FlyingShear::new().film(turn()).label(["A", "B", "C", "blade"]),
         Against::new().film(turn()).label(["A", "B"]),
@@ -100,11 +91,15 @@ fn a_name_keeps_its_place_beside_its_joint_in_every_pose() {
             let joints: Vec<[f64; 2]> = joints.map(|at| view.pixels([at.x, at.y])).collect();
             moving += usize::from(joints.iter().any(|at| *at != joints[0]));
             let beside = |pose: usize| [0, 1].map(|side| places[pose][side] - joints[pose][side]);
-            for pose in 0..film.len() {
-                // Places are rounded to 0.01 px.
-                let [[x, y], [u, v]] = [beside(pose), beside(0)];
-                assert!((x - u).hypot(y - v) < 0.02, "{point} {pose}: {x} {y} for {u} {v}");
+            let mut hops = 0;
+            for pose in 1..film.len() {
+                let [[x, y], [u, v]] = [beside(pose), beside(pose - 1)];
+                // Far is beyond two widths of the longest name.
+                assert!(x.hypot(y) < 120.0, "{point} {pose}: {x} {y}");
+                // Places of joints and of names beside them are rounded to 0.01 px each.
+                hops += usize::from((x - u).hypot(y - v) > 0.05);
             }
+            assert!(hops <= 4, "{point}: {hops}");
         }
         assert!(moving > 0);
     }

@@ -14,6 +14,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::assembled::{ARITHMETIC, FRICTION, READS, SEARCH, SHOWS};
+use crate::sketch::style::Theme;
 use amounts::amounts;
 use cases::{Case, conditions, kernels};
 use courses::{COURSE, courses};
@@ -175,6 +176,21 @@ fn a_page_is_light() {
     let read = super::squeeze::script(&READS);
     let weight = shown.iter().map(String::len).sum::<usize>() + read.len();
     assert!((70_000..92_000).contains(&weight), "{weight} bytes");
+}
+
+/// Links, reactions and loads have one colour on pages and in films.
+#[test]
+fn pages_and_films_have_the_same_colours() {
+    let style = include_str!("page.css");
+    let schemes: Vec<&str> = style.split(":root").skip(1).collect();
+    for (scheme, theme) in schemes.iter().zip([Theme::Light, Theme::Dark]) {
+        let palette = theme.palette();
+        let links = palette.links.iter().enumerate().map(|(k, link)| (format!("l{k}"), *link));
+        let others = [("push", palette.push), ("warn", palette.accent)];
+        for (name, colour) in links.chain(others.map(|(name, colour)| (name.into(), colour))) {
+            assert!(scheme.contains(&format!("--{name}: {colour};")), "{name} in {theme:?}");
+        }
+    }
 }
 
 /// The relative luminance of a colour `#rrggbb` or `#rgb` (Web Content Accessibility Guidelines 2.2).
