@@ -4,7 +4,7 @@
 //! `kernels.js`, `limit.js` and `checks.js` compute and decide as the crate does, `roots.js` and `survey.js`
 //! search and `friction.js` solves for friction as it does, `pose.js` reads the results, `drag.js` finds the
 //! inputs of a dragged point; nothing of this touches the document. `picture.js`, `symbols.js`, `curves.js`,
-//! `acts.js`, `tolerance.js`, `controls.js` and `page.js` do.
+//! `acts.js`, `marks.js`, `tolerance.js`, `controls.js` and `page.js` do.
 
 mod assembled;
 mod declared;
@@ -55,7 +55,9 @@ use crate::Record;
 /// stays where the machine ends. Arrow keys move the input, with Shift ten times as far; space plays. The
 /// address holds the state, so that it can be sent. A length input without a `range` or a `path` goes as far as the
 /// machine can be assembled, which the page finds. Velocities,
-/// accelerations and forces are those at a constant rate of the input that curves are drawn over. The numbers
+/// accelerations and forces are those at a constant rate of the input that curves are drawn over. Reactions, loads,
+/// weights and the drives that are outputs are arrows to one scale, couples arcs to another; both stand at the foot of
+/// the picture. Masses have the symbol of a centre of mass, and cranks that are coupled by a ratio their pitch circles. The numbers
 /// are the solver's to the last bit, but for `tan`, `exp`, `ln`, `tanh` and `pow`: those are the browser's, whose
 /// last bits may differ. On targets with fused operations the solver itself rounds otherwise. An `unknown` is
 /// searched as the solver searches it. Of a machine with several sets of inputs a reader chooses which one drives; the pose

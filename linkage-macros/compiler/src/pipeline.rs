@@ -143,7 +143,10 @@ pub fn page(source: TokenStream) -> Result<PageParts, Vec<Diagnostic>> {
     let (program, placing) = (program(&mechanism), placing(&mechanism));
     let lowered = lower::lower(&mechanism, &program);
     let placing = lower::lower_placing(&mechanism, &placing);
-    Ok(PageParts { notes, ..PageParts::of(&mechanism, &lowered, &placing) })
+    let marks = marks(&mechanism);
+    let marks = marks.as_ref().map(|program| lower::lower_marks(&mechanism, program));
+    let parts = PageParts::of(&mechanism, &lowered, (&placing, marks.as_ref()));
+    Ok(PageParts { notes, ..parts })
 }
 
 /// A mechanism in one pose, as it is drawn.
@@ -292,6 +295,11 @@ pub(crate) fn placing(mechanism: &Mechanism) -> Program {
     passes::optimise(&equations::placing::derive(mechanism, passes::RULES))
 }
 
+/// The program of what a page draws beside bodies and forces; none where there is nothing.
+fn marks(mechanism: &Mechanism) -> Option<Program> {
+    equations::marks::derive(mechanism, passes::RULES).map(|program| passes::optimise(&program))
+}
+
 /// The text of a declaration as its author wrote it, with layout and comments; where another macro wrote
 /// it, that of its tokens.
 pub(crate) fn text(source: &TokenStream) -> String {
@@ -315,9 +323,12 @@ pub(crate) fn code(
 ) -> TokenStream {
     // Every statement of every function is decided; what is left is to print them.
     let lowered = lower::lower(mechanism, program);
+    let has_page = drawn.is_some_and(|(_, source)| source.is_some()) && !mechanism.is_stub;
+    let marks = has_page.then(|| marks(mechanism)).flatten();
     let drawing = drawn.map(|(program, source)| {
         let placing = lower::lower_placing(mechanism, program);
-        Drawing { placing, source }
+        let marks = marks.as_ref().map(|program| lower::lower_marks(mechanism, program));
+        Drawing { placing, marks, source }
     });
     codegen::generate(mechanism, &lowered, drawing.as_ref(), options.serde)
 }

@@ -285,3 +285,32 @@ mechanism! {
         output theta.drive, block.P, block.P.friction, r.K, r.K.friction, losses;
     }
 }
+
+mechanism! {
+    /// Masses of every kind under gravity, couples, a pair of gears, a planet and drives.
+    pub struct Marked {
+        input theta: angle;
+        param far = 0.1m;
+        param heavy = 12(kg);
+        param base = 0.3m;
+        load push: force;
+        load twist: torque;
+        ground A(0, 0), D(base, 0);
+        guide bed through D along 0deg;
+        crank pinion(A) -> B { length: 60mm, angle: theta }
+        crank wheel(D) -> C  { length: 100mm, angle: -2 * pinion.angle - 90deg }
+        rrp rod(C), ram(bed) -> P { length: 0.4m, mode: ahead }
+        crank planet(B) -> T { length: 30mm, angle: -3 * theta, relative_to: pinion }
+        point G on rod at (200mm, -20mm);
+        point M on rod at (far, 30mm);
+        gravity (1(m/s^2), -9.81(m/s^2));
+        mass heavy on rod at (far, 30mm);
+        mass 2kg on P;
+        mass 3kg on pinion uniform;
+        mass 1kg on rod at G;
+        torque twist on wheel;
+        torque 5(N*m) on pinion;
+        force (-push, 0) on P;
+        output G, M, P, B, T, theta.drive, rod.C;
+    }
+}

@@ -9,6 +9,7 @@ mod chromium;
 mod contents;
 mod hard;
 mod machines;
+mod marks;
 mod numbers;
 mod parallelograms;
 mod program;

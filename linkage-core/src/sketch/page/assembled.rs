@@ -44,6 +44,9 @@ pub(super) const SHOWS: [&str; 7] = [
 /// The file of a choice between sets of inputs, which a page of a machine with one does without.
 pub(super) const SETS: [&str; 1] = [include_str!("sets.js")];
 
+/// The file of masses, couples, wheels and drives, which a page of a machine without any does without.
+pub(super) const MARKS: [&str; 1] = [include_str!("marks.js")];
+
 /// A mechanism as its page has it.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine<'a> {
@@ -151,7 +154,8 @@ fn written([name, docs]: [&str; 2], consts: &str, wishes: &Wishes) -> String {
         (where_called("c.root(", &SEARCH), where_called("amountsOf(", &FRICTION));
     let parts = [&ARITHMETIC[..], search, friction, &READS];
     let computes = format!("\"use strict\";\n{consts}{}", squeeze::script(&parts.concat()));
-    let shown = [where_called("const SETS", &SETS), &SHOWS].concat();
+    let (sets, marks) = (where_called("const SETS", &SETS), where_called("\nmarks: ", &MARKS));
+    let shown = [sets, marks, &SHOWS].concat();
     let shows = format!("\"use strict\";\n{}", squeeze::script(&shown));
     filled(&[
         ("style", &squeeze::style(include_str!("page.css"))),

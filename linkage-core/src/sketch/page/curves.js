@@ -12,18 +12,11 @@ const sample = () => {
   // Curves are those at a constant rate, also while the machine runs by itself.
   const held = running;
   running = null;
-  samples = stepped(STEPS, domain(), (x) => {
-    const pose = new Pose(withInput(state.axis, x));
-    return { x, pose, ...answersAt(pose) };
-  });
+  samples = stepped(STEPS, domain(), (x) => ({ x, ...answersAt(new Pose(withInput(state.axis, x))) }));
   running = held;
   setScales();
-  const arrows = efforts.flatMap(({ row, point }, k) => (point !== null && row === "x" ? [k] : []));
-  largestForce = 0;
-  for (const { forces, applied } of samples) {
-    for (const k of applied ? MACHINE.appliedAt.keys() : []) largestForce = Math.max(largestForce, Math.hypot(applied[2 * k], applied[2 * k + 1]));
-    for (const k of arrows) if (forces) largestForce = Math.max(largestForce, Math.hypot(forces[k], forces[k + 1]));
-  }
+  largestForce = Math.max(0, ...samples.flatMap((answers) => forcesIn(answers).map(([, force]) => Math.hypot(...(force ?? [])))));
+  if (MACHINE.marks) sampleCouples();
 };
 
 const grouped = (list, keyOf) => [...new Set(list.map(keyOf))].map((key) => list.filter((entry) => keyOf(entry) === key));

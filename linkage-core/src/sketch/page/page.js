@@ -37,7 +37,7 @@ const fit = () => {
   const [[x0, x1], [y0, y1]] = boxOf(poses);
   extent = Math.max(x1 - x0, y1 - y0);
   if (!charts.length) buildCharts();
-  const width = figure.parentElement.clientWidth, spare = width < 500 ? 40 : efforts.some(({ point }) => point !== null) ? 96 : 56;
+  const width = figure.parentElement.clientWidth, spare = width < 500 ? 40 : forcesIn(answersAt(poses[0])).length ? 96 : 56;
   const least = width < 500 ? 240 : 300, most = Math.max(320, Math.min(0.62 * innerHeight, 560));
   const [wide, high] = [Math.max(x1 - x0, 1e-3 * (y1 - y0), 1e-12), y1 - y0];
   const inner = clamp(((width - 2 * spare) * high) / wide + 2 * spare, least, most);
@@ -68,14 +68,15 @@ const drawPose = () => {
   const pose = new Pose(state.q);
   if (!pose.error) lastGood = pose;
   const now = answersAt(pose);
-  const bodies = bodiesOf(pose), arrows = arrowsOf(pose, now);
+  const bodies = bodiesOf(pose), arrows = arrowsOf(now);
   drawBodies(nodes.body, bodies);
   show(nodes.ghost, pose.error && lastGood);
   if (pose.error && lastGood) drawBodies(nodes.shade, bodiesOf(lastGood));
   drawSprings(pose);
   drawJoints(pose, bodies, arrows);
   drawGap(pose);
-  drawForces(pose, arrows);
+  const end = drawForces(pose, arrows);
+  if (MACHINE.marks) drawMarks(now, end);
   drawPicked(pose, now);
   const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`.replaceAll(" ", "\u00a0")).join("  ·  ");
   $("#state").textContent = now.refused ? `${said}: ${why(now.refused)}` : said;

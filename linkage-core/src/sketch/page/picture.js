@@ -109,6 +109,7 @@ const boxOf = (poses) => {
   let [xs, ys] = [NOTHING, NOTHING];
   const see = ([x, y]) => [xs, ys] = [widened(xs, x), widened(ys, y)];
   for (const pose of poses) {
+    if (MACHINE.marks) markedPlaces(pose).forEach(see);
     for (const point of used) {
       const at = pose.point(point);
       if (at) see(at);

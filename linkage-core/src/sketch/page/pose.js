@@ -112,9 +112,9 @@ const rates = () => running?.v ?? inputs.map((_, k) => (k === state.axis ? state
 
 /// Outputs, forces at constant rate, the drives between which friction holds the machine at rest and the loads that are
 /// applied, where they are there, and the first reason why outputs or forces are not.
-const answersAt = ({ q, error }) => {
-  const found = { refused: error };
-  for (const name of ["motion", "forces", "holding", "applied"]) {
+const answersAt = (pose) => {
+  const { q, error } = pose, found = { pose, refused: error };
+  for (const name of ["motion", "forces", "holding", "applied", "marked"]) {
     const { numbers, error: own } = (!error && MACHINE[name]?.(state.p, q, rates(), running?.a ?? atRest, state.l, atRest)) || {};
     found[name] = own ? null : numbers;
     if (name === "motion" || name === "forces") found.refused ??= own;

@@ -2,6 +2,10 @@
 
 const nodes = {};
 
+/// Reactions of joints, with their places among the forces, and the points of loads that are applied.
+const reactions = efforts.map((effort, at) => ({ ...effort, at })).filter(({ row, point }) => point !== null && row === "x");
+const appliedAt = MACHINE.appliedAt ?? [];
+
 /// All nodes anew, for another scale.
 const build = (poses) => {
   figure.replaceChildren();
@@ -26,16 +30,13 @@ const build = (poses) => {
     text.textContent = name;
     return text;
   });
-  nodes.arrows = efforts.map((effort, at) => ({ ...effort, at })).filter(({ row, point }) => point !== null && row === "x").map((effort) => ({
-    ...effort,
-    path: made("path", { class: "arrow" }, nodes.forces),
-    text: made("text", { class: "word force" }, nodes.forces),
-  }));
   const arrow = (kind) => ({
     path: made("path", { class: `arrow ${kind}` }, nodes.forces),
     text: made("text", { class: `word force ${kind}` }, nodes.forces),
   });
-  nodes.applied = (MACHINE.appliedAt ?? []).map((point) => ({ ...arrow("applied"), point }));
+  nodes.arrows = reactions.map((effort) => ({ ...arrow(""), ...effort }));
+  nodes.applied = appliedAt.map(() => arrow("applied"));
+  if (MACHINE.marks) buildMarks(arrow);
   nodes.rates = [arrow("velocity"), arrow("acceleration")];
   nodes.forceScale = made("path", { class: "arrow" }, nodes.forces);
   nodes.forceWords = made("text", { class: "word force" }, nodes.forces);
@@ -89,9 +90,7 @@ const drawGround = (poses) => {
       made("circle", { class: "centre", cx, cy, r: short(apart(centre, at) * view.scale) }, nodes.ground);
     }
   }
-  const most = (0.2 * view.width) / view.scale, power = 10 ** Math.floor(Math.log10(most));
-  const bar = [5, 2, 1].map((step) => step * power).find((length) => length <= most) ?? power;
-  const y = view.height - 14;
+  const bar = roundBelow((0.2 * view.width) / view.scale), y = view.height - 14;
   made("path", { class: "scale", d: `M16 ${y}v-4v8v-4h${short(bar * view.scale)}v-4v8` }, nodes.ground);
   const [unit, times] = shownIn("m", 0, bar), words = withUnit(`${+(bar * times).toPrecision(3)}`, unit);
   made("text", { class: "word", x: 24 + short(bar * view.scale), y: y + 4 }, nodes.ground).textContent = words;
@@ -112,7 +111,7 @@ const seenIn = (pose, bodies, arrows) => ({
 });
 const placeNames = (poses) => {
   offsets.length = 0;
-  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0).map((pose) => seenIn(pose, bodiesOf(pose), arrowsOf(pose, answersAt(pose))));
+  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0).map((pose) => seenIn(pose, bodiesOf(pose), arrowsOf(answersAt(pose))));
   for (const point of used) offsets[point] = sideOf(point, seen);
 };
 
@@ -273,48 +272,63 @@ const arrowTo = (from, to) => {
   const head = Math.min(9, 0.6 * apart(from, to));
   return pathOf([from, to]) + pathOf([along(to, from, head, 0.45 * head), to, along(to, from, head, -0.45 * head)]);
 };
-/// A round force at the foot of the picture, as long as arrows of it are.
+/// The largest of 1, 2 and 5 times a power of ten that is not above the number.
+const roundBelow = (most) => {
+  const power = 10 ** Math.floor(Math.log10(most));
+  return [5, 2, 1].map((step) => step * power).find((x) => x <= most) ?? power;
+};
+/// A round force at the foot of the picture, as long as arrows of it are, and where its arrow begins.
 const drawForceScale = (most, [unit, times]) => {
-  const power = 10 ** Math.floor(Math.log10(largestForce * times)), round = [5, 2, 1].map((step) => step * power).find((x) => x <= largestForce * times) ?? power;
+  const round = roundBelow(largestForce * times);
   const length = (round / times / largestForce) * most, y = view.height - 14, right = view.width - 16;
   nodes.forceWords.textContent = withUnit(digits(round, 1), unit);
   const wide = 6.7 * nodes.forceWords.textContent.length, x = right - wide - 8;
   trace(nodes.forceScale, arrowTo([x - length, y], [x, y]));
   show(nodes.forceWords, true, [x + 8, y + 4]);
+  return x - length;
 };
 /// How long the largest arrow is. None leaves the picture, whose sides are that far from the machine.
 const mostArrow = () => (view.width < 500 ? 36 : 90);
-/// The arrows of a pose: reactions of joints, and loads that are applied.
-const arrowsOf = (pose, { forces, applied }) => {
-  const scale = mostArrow() / largestForce;
-  const of = (list, forceOf) => list.map((arrow, nth) => {
-    const at = pose.point(arrow.point), force = forceOf(arrow, nth), size = force ? Math.hypot(...force) : 0;
+/// The forces of a pose, an arrow each: where they act, in metres, and x and y in newtons.
+const forcesIn = (answers) => {
+  const { pose, forces, applied } = answers;
+  return [
+    ...reactions.map(({ at, point }) => [pose.point(point), forces?.slice(at, at + 2)]),
+    ...appliedAt.map((point, k) => [pose.point(point), applied?.slice(2 * k, 2 * k + 2)]),
+    ...(MACHINE.marks ? weightsAndPushes(answers) : []),
+  ];
+};
+/// The arrows of a pose, and what else names keep off.
+const arrowsOf = (answers) => {
+  const scale = mostArrow() / largestForce, own = [...nodes.arrows, ...nodes.applied, ...(nodes.acting ?? [])];
+  return forcesIn(answers).map(([at, force], k) => {
+    const arrow = own[k], size = Math.hypot(...(force ?? []));
     if (!at || !(size * scale > 1)) return { arrow };
     const [x, y] = onPage(at);
     return { arrow, size, from: [x, y], to: [x + force[0] * scale, y - force[1] * scale] };
-  });
-  return [
-    ...of(nodes.arrows, ({ at: k }) => forces && [forces[k], forces[k + 1]]),
-    ...of(nodes.applied, (_, k) => applied && applied.slice(2 * k, 2 * k + 2)),
-  ];
+  }).concat(MACHINE.marks ? markedLines(answers) : []);
 };
+/// Writes a number beside a place, at its left or right, and best on no joint.
+const tellForce = ({ text, effort }, pose, number, [x, y], isLeft) => {
+  const pins = [...used].map((point) => pose.point(point)).filter((at) => at).map(onPage);
+  text.textContent = effort ? `${effort} ${number}` : number;
+  const wide = 6.7 * text.textContent.length, sides = [x + 6, x - 6 - wide];
+  if (isLeft) sides.reverse();
+  const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, y + dy]));
+  const isOnPin = ([x, y]) => pins.some(([u, v]) => Math.abs(u - x - wide / 2) < wide / 2 + 7 && Math.abs(v - y + 4) < 12);
+  write(text, wide, spots.sort((a, b) => isOnPin(a) - isOnPin(b)));
+};
+/// The arrows, and where their scale begins.
 const drawForces = (pose, arrows) => {
-  const isAny = arrows.length > 0 && largestForce > 0, [unit, times] = isAny ? shownIn("N", 0, largestForce) : ["N", 1];
+  const isAny = largestForce > 0, [unit, times] = shownIn("N", 0, largestForce);
   show(nodes.forceScale, isAny);
   show(nodes.forceWords, isAny);
-  if (isAny) drawForceScale(mostArrow(), [unit, times]);
-  const pins = [...used].map((point) => pose.point(point)).filter((at) => at).map(onPage);
-  for (const { arrow: { path, text, effort }, size, from, to } of arrows) {
-    show(path, to);
-    show(text, false);
+  for (const { arrow, size, from, to } of arrows.filter(({ arrow }) => arrow)) {
+    show(arrow.path, to);
+    show(arrow.text, false);
     if (!to) continue;
-    trace(path, arrowTo(from, to));
-    if (apart(from, to) < 25 || view.width < 500) continue;
-    text.textContent = [effort, withUnit(digits(size * times, 3), unit)].filter(Boolean).join(" ");
-    const wide = 6.7 * text.textContent.length, sides = [to[0] + 6, to[0] - 6 - wide];
-    if (to[0] < from[0]) sides.reverse();
-    const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, to[1] + dy]));
-    const isOnPin = ([x, y]) => pins.some(([u, v]) => Math.abs(u - x - wide / 2) < wide / 2 + 7 && Math.abs(v - y + 4) < 12);
-    write(text, wide, spots.sort((a, b) => isOnPin(a) - isOnPin(b)));
+    trace(arrow.path, arrowTo(from, to));
+    if (apart(from, to) >= 25 && view.width >= 500) tellForce(arrow, pose, withUnit(digits(size * times, 3), unit), to, to[0] < from[0]);
   }
+  return isAny ? drawForceScale(mostArrow(), [unit, times]) - 16 : view.width - 16;
 };

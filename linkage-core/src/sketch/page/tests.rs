@@ -178,6 +178,13 @@ fn a_page_is_light() {
     assert!((70_000..92_000).contains(&weight), "{weight} bytes");
 }
 
+/// What a machine with masses, couples, wheels or drives has beside weighs 5 kB at most.
+#[test]
+fn marks_are_light() {
+    let weight = super::squeeze::script(&super::assembled::MARKS).len();
+    assert!((3_000..5_000).contains(&weight), "{weight} bytes");
+}
+
 /// Links, reactions and loads have one colour on pages and in films.
 #[test]
 fn pages_and_films_have_the_same_colours() {

@@ -29,7 +29,8 @@ pub(super) fn items(
         (cx.paths.item("with_sketch"), &cx.names.solver, &cx.names.scalar);
     let (formulas, searches) = (formulas::functions(&cx), root_functions::functions(&cx));
     let (drawn, methods, applied) = (drawn(&cx), methods(&cx), applied(&cx));
-    let page = drawing.source.map(|source| page::items(&cx, solver, source));
+    let marks = drawing.marks.as_ref();
+    let page = drawing.source.map(|source| page::items(&cx, solver, (marks, source)));
     quote! {
         #with_sketch! {
             impl #name<#float> { #methods #applied #formulas #searches }

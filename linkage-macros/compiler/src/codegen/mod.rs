@@ -36,9 +36,11 @@ pub(crate) use rust::driving_sets::{DrivenSet, generate as generate_sets};
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
-/// The sources of a drawing: the program that places everything, and of a page the declaration's text.
+/// The sources of a drawing: the program that places everything, and of a page the one of masses, couples and wheels,
+/// where there are any, and the declaration's text.
 pub(crate) struct Drawing<'a> {
     pub placing: Lowered<'a>,
+    pub marks: Option<Lowered<'a>>,
     pub source: Option<&'a str>,
 }
 

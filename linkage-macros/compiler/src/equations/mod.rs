@@ -33,6 +33,7 @@ mod groups;
 mod guide;
 mod jet;
 mod kinematics;
+pub(crate) mod marks;
 mod motion;
 mod operands;
 mod parts;

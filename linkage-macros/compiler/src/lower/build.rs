@@ -65,10 +65,7 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
     let searches = searches(mechanism, program, "placed_root", (&tried, &costs));
     let (locals, needs) = (Locals::default(), Vec::new());
     let builder = Builder { program, interface, locals, searches, tried: &tried, needs };
-    let drives = mechanism.dynamics.driven().map(|_| ArgumentKind::Drives);
-    let loads = (!mechanism.dynamics.loads.is_empty()).then_some(ArgumentKind::Loads);
-    let forces: Vec<ArgumentKind> =
-        [ArgumentKind::Value, ArgumentKind::Rate].into_iter().chain(drives).chain(loads).collect();
+    let forces = given_to_forces(mechanism);
     // `PLACED` and `APPLIED`.
     let kinds = [("placed_", &[ArgumentKind::Value][..]), ("forces_applied_", &forces)];
     let routines = kinds
@@ -80,6 +77,35 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
     let Builder { interface, searches, .. } = builder;
     let (entries, costs) = (Vec::new(), Vec::new());
     Lowered { program, interface, routines, entries, costs, clearances, searches }
+}
+
+/// The routine of a program that says where masses, couples and wheels are drawn. `placing` has a search of each name
+/// of its own.
+pub(crate) fn lower_marks<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+    let interface = Interface::of(mechanism).limited_to(std::iter::empty());
+    let tried = tried(&program.graph);
+    let costs = Costs::of(&program.graph, &tried);
+    let searches = searches(mechanism, program, "marked_root", (&tried, &costs));
+    let (locals, needs) = (Locals::default(), Vec::new());
+    let builder = Builder { program, interface, locals, searches, tried: &tried, needs };
+    let sinks = program.answers.iter().flat_map(|answer| answer.sinks.iter().copied());
+    let routine = builder.listing(
+        "marked_",
+        &given_to_forces(mechanism),
+        Path::Slow,
+        &sinks.collect::<Vec<_>>(),
+    );
+    let clearances = builder.clearances();
+    let Builder { interface, searches, .. } = builder;
+    let (entries, costs) = (Vec::new(), Vec::new());
+    Lowered { program, interface, routines: vec![routine], entries, costs, clearances, searches }
+}
+
+/// The arguments of what acts.
+fn given_to_forces(mechanism: &Mechanism) -> Vec<ArgumentKind> {
+    let drives = mechanism.dynamics.driven().map(|_| ArgumentKind::Drives);
+    let loads = (!mechanism.dynamics.loads.is_empty()).then_some(ArgumentKind::Loads);
+    [ArgumentKind::Value, ArgumentKind::Rate].into_iter().chain(drives).chain(loads).collect()
 }
 
 /// Puts clearances behind the last statement of the stage that they need. Operands used only by clearances

@@ -18,6 +18,7 @@
 //! | `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
 //! | `drawn` | links and joints into drivers and groups |
 //! | `driven` | quantities that are inputs into what drives them |
+//! | `wheels` | the cranks that are coupled as gears are |
 //!
 //! Nothing here knows how a mechanism is solved. Of numbers there is what the rules need of constants, and what a
 //! drawing needs: `drawn` finds the inputs of the drawn pose by Newton's method, and the angles of links that are held
@@ -98,6 +99,7 @@ pub(crate) mod units;
 mod unknown_friction;
 mod unused;
 mod uses;
+pub(crate) mod wheels;
 
 #[cfg(test)]
 mod tests;

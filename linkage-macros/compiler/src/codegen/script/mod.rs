@@ -2,6 +2,7 @@
 //! numbers are.
 
 mod in_script;
+mod marks;
 pub(crate) mod page;
 mod plan_object;
 
@@ -22,12 +23,12 @@ use crate::lower::{APPLIED, PLACED, TRIAL, bound_once, label};
 use crate::model::acting::{Effort, RequestedEffort};
 use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind};
 
-/// An object: where everything stands, the outputs' motion, forces, the drives that hold the mechanism, its accelerations
-/// under given drives, and names.
+/// An object: where everything stands, what stands beside bodies, the outputs' motion, forces, the drives that hold the
+/// mechanism, its accelerations under given drives, and names.
 pub(super) fn object(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
-    placing: &Lowered<'_>,
+    (placing, marks): (&Lowered<'_>, Option<&Lowered<'_>>),
 ) -> String {
     let mut script = Text::long();
     script.put("{\nplace: (p, q) => ");
@@ -43,6 +44,7 @@ pub(super) fn object(
         script.put(", (k) => PLAN.points[MACHINE.appliedAt[k >> 1]]),\nappliedAt: [");
         script.put(&points.join(", ")).put("],\n");
     }
+    marks::put(mechanism, marks, &mut script);
     [placing, lowered].iter().for_each(|lowered| searches(mechanism, lowered, &mut script));
     for analysis in Analysis::ON_PAGES {
         entry(mechanism, lowered, analysis, &mut script);

@@ -44,8 +44,13 @@ pub struct PageParts {
 }
 
 impl PageParts {
-    /// Those of a mechanism, from its solver's routines and those that place what is drawn.
-    pub(crate) fn of(mechanism: &Mechanism, solver: &Lowered<'_>, placing: &Lowered<'_>) -> Self {
+    /// Those of a mechanism, from its solver's routines and those that place what is drawn: bodies, and what stands
+    /// beside them.
+    pub(crate) fn of(
+        mechanism: &Mechanism,
+        solver: &Lowered<'_>,
+        drawing: (&Lowered<'_>, Option<&Lowered<'_>>),
+    ) -> Self {
         let inputs = mechanism.inputs.iter().enumerate().map(|(nth, input)| {
             let line = number(&input.name, in_si(input.dimension), &input.docs);
             match &mechanism.drawn {
@@ -60,7 +65,7 @@ impl PageParts {
             name: text(&mechanism.name),
             docs: words(&mechanism.docs),
             plan: plan_object::object(mechanism),
-            script: super::object(mechanism, solver, placing),
+            script: super::object(mechanism, solver, drawing),
             inputs: inputs.collect(),
             params: params.collect(),
             loads: loads.collect(),
@@ -76,14 +81,14 @@ impl PageParts {
 pub(in crate::codegen) fn items(
     cx: &Context<'_>,
     solver: &Lowered<'_>,
-    source: &str,
+    (marks, source): (Option<&Lowered<'_>>, &str),
 ) -> TokenStream {
     let mechanism = cx.mechanism;
     let (name, float) = (&cx.names.solver, &cx.names.scalar);
     let [with_page, paged, declared, vec, page] =
         ["with_page", "Paged", "Declared", "Vec", "Page"].map(|name| cx.paths.item(name));
     let PageParts { plan, script, inputs, params, loads, outputs, .. } =
-        PageParts::of(mechanism, solver, cx.lowered);
+        PageParts::of(mechanism, solver, (cx.lowered, marks));
     let values = mechanism.params.iter().map(|param| value(cx, param));
     quote! {
         #with_page! {

@@ -65,7 +65,7 @@ use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Id;
 use crate::model::acting::Effort;
-use crate::model::mechanism::PointId;
+use crate::model::mechanism::{Carrier, LinkId, PointId, Scalar};
 
 #[cfg(test)]
 pub(super) use dynamics::share_of_a_pivot;
@@ -81,6 +81,17 @@ pub(super) use walk::Walk;
 /// The forces that statements put on points.
 pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
     loads::declared(kinematics)
+}
+
+/// The couples that statements put on links.
+pub(super) fn couples_on_links<'s>(kinematics: &Kinematics<'s>) -> Vec<(LinkId, Sym<'s>)> {
+    let value = |value: &Scalar| kinematics.jet(value).value;
+    let couples = loads::torques_by(kinematics.mechanism, &value).into_iter();
+    let on_links = couples.filter_map(|(on, couple)| match on {
+        Carrier::Link(link) => Some((link, couple)),
+        Carrier::Ground => None,
+    });
+    on_links.collect()
 }
 
 /// Values of the entry point `forces`, in the order of the requests.

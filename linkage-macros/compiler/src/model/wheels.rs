@@ -1,0 +1,234 @@
+//! Cranks that are coupled by a ratio: gears, and what turns as gears do.
+//!
+//! Two wheels on one carrier touch at the pole of one against the other. It lies on the line of their centres, and the
+//! ratio of their rates against the carrier says where.
+
+use crate::exact::Exact;
+use crate::model::expr::{Operator, Scalar};
+use crate::model::mechanism::{
+    AngleSum, Body, Carrier, Drive, Group, InputId, LinkId, Mechanism, PointId, Step,
+};
+
+/// Two wheels that roll on each other.
+pub(crate) struct Wheels {
+    /// The body of each; the ground stands for a ring or a sun that does not turn.
+    pub bodies: [Carrier; 2],
+    pub centres: [PointId; 2],
+    /// The rate of the second wheel over that of the first, against what carries both: neither zero nor one.
+    pub ratio: Exact,
+}
+
+/// A crank: its link, where it turns, the angle that is given and the body against which it is.
+struct Crank<'m> {
+    link: LinkId,
+    centre: PointId,
+    angle: &'m AngleSum,
+    relative_to: Carrier,
+}
+
+/// A number as a function of the inputs.
+enum Line {
+    /// A multiple of one input, but for what does not move.
+    Moving(InputId, Exact),
+    /// It does not move; its value, where no parameter is in it.
+    Still(Option<Exact>),
+}
+
+impl Mechanism {
+    /// The pairs of wheels, in the order of their second ones.
+    pub(crate) fn wheels(&self) -> Vec<Wheels> {
+        let cranks: Vec<Crank<'_>> = self.groups_of_steps().flat_map(cranks_of).collect();
+        let pairs = cranks.iter().enumerate().filter_map(|(nth, crank)| {
+            let before = &cranks[..nth];
+            match crank.relative_to {
+                Carrier::Ground => self.on_the_ground(crank, before),
+                Carrier::Link(carrier) => self.planet(crank, carrier, before),
+            }
+        });
+        let is_rolling = |wheels: &Wheels| {
+            !wheels.ratio.is_zero()
+                && !wheels.ratio.is_one()
+                && wheels.centres[0] != wheels.centres[1]
+        };
+        pairs.filter(is_rolling).collect()
+    }
+
+    fn groups_of_steps(&self) -> impl Iterator<Item = &Group> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Group(group) => Some(group),
+            _ => None,
+        })
+    }
+
+    /// Two cranks that turn on the ground.
+    fn on_the_ground(&self, crank: &Crank<'_>, before: &[Crank<'_>]) -> Option<Wheels> {
+        let (first, ratio) = match crank.angle.links[..] {
+            [(first, times)] => {
+                self.is_still(&crank.angle.rest).then_some(())?;
+                (first, Exact::integer(times.into()))
+            }
+            [] => before.iter().find_map(|first| {
+                let is_alike = first.relative_to == Carrier::Ground;
+                Some((first.link, self.ratio(first, crank).filter(|_| is_alike)?))
+            })?,
+            _ => return None,
+        };
+        let centre = self.centre_of(first)?;
+        let stand = [centre, crank.centre].iter().all(|&at| self.owner(at) == Some(Body::Ground));
+        stand.then_some(Wheels {
+            bodies: [Carrier::Link(first), Carrier::Link(crank.link)],
+            centres: [centre, crank.centre],
+            ratio,
+        })
+    }
+
+    /// A crank on another that turns on the ground: it rolls on a wheel that stands, and that the carrier sees turn back.
+    fn planet(&self, crank: &Crank<'_>, carrier: LinkId, before: &[Crank<'_>]) -> Option<Wheels> {
+        let ratio = match crank.angle.links[..] {
+            [(of, times)] if of == carrier && self.is_still(&crank.angle.rest) => {
+                Exact::integer(times.into())
+            }
+            [] => {
+                let arm = before.iter().find(|arm| arm.link == carrier)?;
+                self.ratio(arm, crank).filter(|_| arm.relative_to == Carrier::Ground)?
+            }
+            _ => return None,
+        };
+        let centre = self.centre_of(carrier)?;
+        (self.owner(centre) == Some(Body::Ground)).then(|| Wheels {
+            bodies: [Carrier::Ground, Carrier::Link(crank.link)],
+            centres: [centre, crank.centre],
+            ratio: ratio.neg(),
+        })
+    }
+
+    /// The point that a link turns about.
+    fn centre_of(&self, link: LinkId) -> Option<PointId> {
+        let group = self.groups_of_steps().find(|group| group.links.contains(&link))?;
+        group.outer.iter().find(|joint| joint.link() == link)?.point()
+    }
+
+    /// The rate of the second over that of the first, where both are multiples of one input.
+    fn ratio(&self, first: &Crank<'_>, second: &Crank<'_>) -> Option<Exact> {
+        match [first, second].map(|crank| self.turned_by_an_input(crank)) {
+            [Some((input, by)), Some((other, times))] if input == other => times.div(&by),
+            _ => None,
+        }
+    }
+
+    fn turned_by_an_input(&self, crank: &Crank<'_>) -> Option<(InputId, Exact)> {
+        match self.line(&crank.angle.rest)? {
+            Line::Moving(input, times) if crank.angle.links.is_empty() => Some((input, times)),
+            _ => None,
+        }
+    }
+
+    fn is_still(&self, number: &Scalar) -> bool {
+        !self.moves(number)
+    }
+
+    fn line(&self, number: &Scalar) -> Option<Line> {
+        match number {
+            Scalar::Input(input) => Some(Line::Moving(*input, Exact::integer(1))),
+            Scalar::Constant(value) => Some(Line::Still(Some(value.clone()))),
+            Scalar::Let(id) if self.lets[id.index()].links.is_empty() => {
+                self.line(&self.lets[id.index()].rest)
+            }
+            Scalar::Negate(value) => Some(match self.line(value)? {
+                Line::Moving(input, times) => Line::Moving(input, times.neg()),
+                Line::Still(value) => Line::Still(value.map(|value| value.neg())),
+            }),
+            Scalar::Chain(first, rest) => {
+                rest.iter().try_fold(self.line(first)?, |a, (operator, b)| {
+                    combined(a, *operator, self.line(b)?)
+                })
+            }
+            _ => self.is_still(number).then_some(Line::Still(None)),
+        }
+    }
+}
+
+fn combined(a: Line, operator: Operator, b: Line) -> Option<Line> {
+    use Line::{Moving, Still};
+    use Operator::{Add, Div, Mul, Sub};
+    Some(match (a, operator, b) {
+        (Moving(input, times), Add | Sub, Still(_)) | (Still(_), Add, Moving(input, times)) => {
+            Moving(input, times)
+        }
+        (Still(_), Sub, Moving(input, times)) => Moving(input, times.neg()),
+        (Moving(input, a), Add, Moving(other, b)) if input == other => Moving(input, a.add(&b)),
+        (Moving(input, a), Sub, Moving(other, b)) if input == other => Moving(input, a.sub(&b)),
+        (Moving(input, times), Mul, Still(Some(by)))
+        | (Still(Some(by)), Mul, Moving(input, times)) => Moving(input, times.mul(&by)),
+        (Moving(input, times), Div, Still(Some(by))) => Moving(input, times.div(&by)?),
+        (Still(a), operator, Still(b)) => Still(a.zip(b).and_then(|(a, b)| match operator {
+            Add => Some(a.add(&b)),
+            Sub => Some(a.sub(&b)),
+            Mul => Some(a.mul(&b)),
+            Div => a.div(&b),
+        })),
+        _ => return None,
+    })
+}
+
+fn cranks_of(group: &Group) -> impl Iterator<Item = Crank<'_>> {
+    group.outer.iter().filter_map(|joint| match &joint.drive {
+        Some(Drive::Angle { angle, relative_to }) => Some(Crank {
+            link: joint.link(),
+            centre: joint.point()?,
+            angle,
+            relative_to: *relative_to,
+        }),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::mechanism::Carrier;
+    use crate::oracle::mechanism;
+
+    /// Names of both wheels and their ratio.
+    fn pairs(statements: &str) -> Vec<String> {
+        let mechanism = mechanism(&format!(
+            "struct M {{ input t, u: angle; param p = 2; ground A(0, 0), D(1m, 0), F(0, 1m); \
+             crank AB(A) -> B {{ length: 0.3m, angle: t }} crank FG(F) -> G {{ length: p * 0.1m, angle: u }} \
+             {statements} output B, G, E; }}"
+        ));
+        let name = |body: Carrier| match body {
+            Carrier::Link(link) => mechanism.links[link.index()].name.to_string(),
+            Carrier::Ground => "ground".to_string(),
+        };
+        let wheels = mechanism.wheels().into_iter().map(|wheels| {
+            let [first, second] = wheels.bodies.map(name);
+            format!("{first} {second} {}", wheels.ratio.to_f64())
+        });
+        wheels.collect()
+    }
+
+    #[test]
+    fn cranks_that_a_ratio_couples_are_wheels() {
+        let on_d = |angle: &str| format!("crank DE(D) -> E {{ length: 0.2m, angle: {angle} }}");
+        let on_b = |angle: &str| {
+            format!("crank BE(B) -> E {{ length: 0.2m, angle: {angle}, relative_to: AB }}")
+        };
+        for (crank, expected) in [
+            (on_d("-2 * AB.angle + 10deg"), &["AB DE -2"][..]),
+            (on_d("20deg - t * 3 / 2"), &["AB DE -1.5"]),
+            (on_d("(t + 5deg) / 4 + t"), &["AB DE 1.25"]),
+            (on_b("-3 * t"), &["ground BE 3"]),
+            (on_b("2 * AB.angle"), &["ground BE -2"]),
+            // Parallel cranks, and a crank on another that keeps its direction, roll on nothing.
+            (on_d("t + 10deg"), &[]),
+            (on_b("-t"), &[]),
+            (on_d("-2 * u"), &["FG DE -2"]),
+            // Another input, a parameter, or no multiple.
+            (on_b("u"), &[]),
+            (on_d("p * t"), &[]),
+            (on_d("sin(t)"), &[]),
+            (on_d("t + u"), &[]),
+        ] {
+            assert_eq!(pairs(&crank), expected, "{crank}");
+        }
+    }
+}
