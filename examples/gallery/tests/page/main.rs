@@ -10,8 +10,10 @@ mod contents;
 mod hard;
 mod machines;
 mod marks;
+#[macro_use]
 mod numbers;
 mod parallelograms;
 mod program;
 mod right;
 mod sets;
+mod shown;
