@@ -314,3 +314,18 @@ mechanism! {
         output G, M, P, B, T, theta.drive, rod.C;
     }
 }
+
+mechanism! {
+    /// A boom on a cylinder, and a block that is pushed along a slope.
+    pub struct Pushed {
+        input s, x: length;
+        ground A(0, 0), F(0.3m, -0.2m), E(1m, 0);
+        guide slope through E along 30deg;
+        rrr lift(F), boom(A) -> G { lengths: (s, 0.55m), mode: right }
+        slider block(slope) -> P { slide: x }
+        gravity (0, -9.81(m/s^2));
+        mass 30kg on boom at (0.4m, 0);
+        mass 20kg on P;
+        output G, P, s.drive, x.drive;
+    }
+}

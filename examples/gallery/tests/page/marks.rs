@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use std::fmt::Write;
 
 use super::browser::{Visit, scripted};
-use super::hard::{Marked, MarkedLoads};
+use super::hard::{Marked, MarkedLoads, Pushed};
 use super::numbers::{Functions, asked, compare_by, has_node};
 
 /// Gravity of the declaration.
@@ -164,4 +164,55 @@ fn a_browser_draws_masses_weights_wheels_and_couples_where_the_solver_has_them()
     println!("{found}");
     assert_eq!(found.matches("looked").count(), 2, "{found}");
     assert!(!found.contains("FAILED"), "{found}");
+}
+
+/// Drives that push, against the solver's: a cylinder at its far end along itself, and a block along its guide.
+const PUSHED: &str = r##"
+addEventListener("load", () => setTimeout(() => {
+  const failures = [], is = (holds, ...words) => holds || failures.push(words.join(" "));
+  const lineOf = (path) => path.getAttribute("d").slice(1).split("M")[0].split("L").map((spot) => spot.split(" ").map(Number));
+  let seen = 0;
+  play(false);
+  for (const { q, pushes } of EXPECTED) {
+    state.q = q;
+    due = SCALE;
+    frame();
+    const [number, unit] = nodes.forceWords.textContent.split(" "), scale = apart(...lineOf(nodes.forceScale)) / (number * (unit === "kN" ? 1e3 : 1));
+    pushes.forEach(([at, force], k) => {
+      const { path, effort } = nodes.acting[2 + k], [from, to] = lineOf(path), [x, y] = onPage(at), end = [x + force[0] * scale, y - force[1] * scale];
+      is(path.getAttribute("visibility") !== "hidden", q, effort, "is not drawn");
+      // The length of the scale is rounded to a tenth of a pixel, as both ends are.
+      is(apart(from, [x, y]) < 0.5 && apart(to, end) < 0.5, q, effort, "goes from", from, "to", to, "for", x, y, end);
+      seen++;
+    });
+  }
+  is(seen === 4, seen, "arrows");
+  parent.postMessage({ failures, told: ["looked"] }, "*");
+}, 300));
+"##;
+
+#[test]
+#[ignore = "needs chromium"]
+fn a_browser_draws_the_drives_of_a_cylinder_and_a_block() {
+    let solver = Pushed::new();
+    let mut expected = String::new();
+    for [s, x] in [[0.45, 0.2], [0.6, 0.3]] {
+        let (at, still) = (solver.position([s, x]).expect("it stands"), [0.0; 2]);
+        let forces = solver.forces([s, x], still, still).expect("they follow");
+        let (dx, dy) = (at.G.x - 0.3, at.G.y + 0.2);
+        let push = [dx, dy].map(|part| part / s * forces.s.drive);
+        let slope = 30_f64.to_radians();
+        let slide = [slope.cos(), slope.sin()].map(|part| part * forces.x.drive);
+        // Along a slope of half the weight: 20 kg.
+        assert!((forces.x.drive - 20.0 * 9.81 / 2.0).abs() < 1e-9);
+        let (lift, block) = ([[at.G.x, at.G.y], push], [[at.P.x, at.P.y], slide]);
+        write!(expected, "{{q: [{s}, {x}], pushes: [{lift:?}, {block:?}]}},").unwrap();
+    }
+    let page = solver.page().range("s", 0.4..=0.65).range("x", 0.1..=0.4);
+    let html = page.rate("s", 0.0).to_html().unwrap();
+    let visit = Visit { name: "Pushed", html, width: 1280, steps: "" };
+    let script = format!("{{ const EXPECTED = [{expected}];\n{PUSHED} }}");
+    let flags = ["--force-prefers-reduced-motion"];
+    let found = scripted(&[visit], "pushed", &flags, |_| script.clone());
+    assert!(found.contains("looked") && !found.contains("FAILED"), "{found}");
 }
