@@ -92,7 +92,7 @@ mod tests {
     use crate::kernel::Evaluation;
     use crate::rows::Rows;
 
-    /// Of x + y/2 − a and x/2 + y − b the slopes are M = (1, ½; ½, 1). A number that would leave its range goes to its
+    /// The slopes of x + y/2 − a and x/2 + y − b are M = (1, ½; ½, 1). A number that would leave its range goes to its
     /// end, and the other has the least squares beside it: its column of M, times what is left, over 5/4.
     #[test]
     fn a_step_to_an_end_takes_the_others_with_it() {
@@ -114,7 +114,7 @@ mod tests {
             let off = (&x + &step - dvector![x0, y0]).amax();
             assert!(off < 1e-14, "{target:?}: {step} for {x0}, {y0}");
         }
-        // What stands at its end and would leave it stands still; at the best place nothing moves.
+        // A number at its end that would leave it stands still; at the best place nothing moves.
         let x = dvector![1.0, 0.25];
         let found = step(&at(&x, [1.75, 1.25]), &x, 0.0).expect("there is a step");
         assert_eq!(found[0], 0.0);

@@ -1,4 +1,4 @@
-//! What `linkage report` proves of errors in single precision, beside printed C as a compiler makes it.
+//! Proved errors of single precision, by `linkage report`, beside printed C as a compiler makes it.
 //!
 //! Each of ten machines is called in `float` and in `double` at the same numbers. What `double` errs by is proved, too,
 //! and a billionth of what is looked for. Half of the machines have limits: their poses lie in what is proved, half of
@@ -35,7 +35,7 @@ struct Proved {
     power: i32,
     /// Times the second rate.
     by_second_rates: f64,
-    /// What is proved of double precision.
+    /// The bound in double precision.
     double: f64,
 }
 

@@ -42,7 +42,7 @@ fn a_report_is_a_table_and_json() {
     let [text, _] = texts(&output);
     assert_eq!(output.status.code(), Some(0));
     let x = text.lines().find(|line| line.contains("position.C.x")).expect("a row");
-    assert!(x.contains("0.15 µm") && x.contains("608.5 mm"), "{x}");
+    assert!(x.contains("0.14 µm") && x.contains("608.5 mm"), "{x}");
     assert!(text.contains("no call takes the slow path"), "{text}");
     let angles = "Transmission angle of BC, DC: from 65.4°, at 0.0°, to 92.1°, at -180.0°.";
     assert!(text.contains(angles), "{text}");
@@ -73,13 +73,13 @@ fn the_exit_status_tells_what_is_not_shown() {
     let (code, why) = status(&["--within", "0.1um"]);
     assert_eq!(code, Some(1));
     assert!(
-        why.contains("`FlyingShear.motion position.C.x` is proved within 0.15 µm in f32"),
+        why.contains("`FlyingShear.motion position.C.x` is proved within 0.14 µm in f32"),
         "{why}"
     );
     // So long a crank does not turn fully.
     let (code, why) = status(&["--within", "1um", "--width", "f32", "--set", "crank=420mm"]);
     assert_eq!(code, Some(1));
-    // What is proposed is shown.
+    // The proposed range is shown.
     let proposed = |why: &str| {
         let words = why.split("narrow it by `--between ").nth(1).expect("a range is proposed");
         words.split('`').next().expect("it ends").to_string()
@@ -88,7 +88,7 @@ fn the_exit_status_tells_what_is_not_shown() {
     let long = ["--within", "1um", "--width", "f32", "--set", "crank=420mm", "--between"];
     let (code, why) = status(&[&long[..], &[&range]].concat());
     assert_eq!((code, &why[..]), (Some(0), ""), "{range}");
-    // What is more exact is shown farther from the limits, and a nanometre nowhere.
+    // A finer wish is shown farther from the limits, and a nanometre nowhere.
     let (_, finer) = status(&["--within", "0.3um", "--width", "f32", "--set", "crank=420mm"]);
     let ends = |range: &str| {
         let ends = range.trim_start_matches("theta=").split("..");

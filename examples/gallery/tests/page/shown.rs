@@ -1,5 +1,5 @@
-//! What a reader sees on a page, read back: table, CSV, ticks, legends and status of twenty machines and more, each number
-//! within its printed digits of the solver's.
+//! The numbers that a reader sees on a page, read back: table, CSV, ticks, legends and status of twenty machines and
+//! more, each within its printed digits of the solver's.
 
 use core::f64::consts::TAU;
 
@@ -122,7 +122,7 @@ struct Count {
     ticks: usize,
     legends: usize,
     dots: usize,
-    /// What is wrong, by its machine.
+    /// The faults, by machine.
     faults: Vec<String>,
 }
 
@@ -137,7 +137,7 @@ impl Count {
     }
 }
 
-/// What the solver has in the pose that is read.
+/// The solver's numbers in the pose that is read.
 #[derive(Default)]
 struct Pose<'t> {
     q: Vec<f64>,

@@ -178,7 +178,7 @@ fn a_page_is_light() {
     assert!((70_000..92_000).contains(&weight), "{weight} bytes");
 }
 
-/// What a machine with masses, couples, wheels or drives has beside weighs 5 kB at most.
+/// Masses, couples, wheels and drives of a machine take 5 kB beside at most.
 #[test]
 fn marks_are_light() {
     let weight = super::squeeze::script(&super::assembled::MARKS).len();

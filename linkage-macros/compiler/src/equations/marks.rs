@@ -9,12 +9,12 @@ use crate::ir::construct::Rule;
 use crate::ir::program::{EntryOutputs, Program};
 use crate::model::acting::MassPlace;
 use crate::model::mechanism::{Mechanism, PointId};
-use crate::model::wheels::Wheels;
+use crate::model::wheels::{Wheels, wheels};
 
 /// Both parts of gravity, where there is any; mass after mass x and y of its centre, and its size; couple after couple of
 /// the declaration on a link; pair after pair of wheels the radii of both. None where nothing of this is drawn.
 pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Option<Program> {
-    let wheels = mechanism.wheels();
+    let wheels = wheels(mechanism);
     let dynamics = &mechanism.dynamics;
     if dynamics.masses.is_empty() && dynamics.torques.is_empty() && wheels.is_empty() {
         return None;

@@ -19,7 +19,7 @@ pub(crate) struct Wheels {
 }
 
 /// A crank: its link, where it turns, the angle that is given and the body against which it is.
-struct Crank<'m> {
+struct TurnedLink<'m> {
     link: LinkId,
     centre: PointId,
     angle: &'m AngleSum,
@@ -27,17 +27,25 @@ struct Crank<'m> {
 }
 
 /// A number as a function of the inputs.
-enum Line {
+enum ByInputs {
     /// A multiple of one input, but for what does not move.
-    Moving(InputId, Exact),
+    Multiple(InputId, Exact),
     /// It does not move; its value, where no parameter is in it.
     Still(Option<Exact>),
 }
 
-impl Mechanism {
+/// The wheels of a mechanism.
+struct Gearing<'m>(&'m Mechanism);
+
+/// The pairs of wheels, in the order of their second ones.
+pub(crate) fn wheels(mechanism: &Mechanism) -> Vec<Wheels> {
+    Gearing(mechanism).pairs()
+}
+
+impl Gearing<'_> {
     /// The pairs of wheels, in the order of their second ones.
-    pub(crate) fn wheels(&self) -> Vec<Wheels> {
-        let cranks: Vec<Crank<'_>> = self.groups_of_steps().flat_map(cranks_of).collect();
+    fn pairs(&self) -> Vec<Wheels> {
+        let cranks: Vec<TurnedLink<'_>> = self.groups_of_steps().flat_map(cranks_of).collect();
         let pairs = cranks.iter().enumerate().filter_map(|(nth, crank)| {
             let before = &cranks[..nth];
             match crank.relative_to {
@@ -54,14 +62,14 @@ impl Mechanism {
     }
 
     fn groups_of_steps(&self) -> impl Iterator<Item = &Group> {
-        self.steps.iter().filter_map(|step| match step {
+        self.0.steps.iter().filter_map(|step| match step {
             Step::Group(group) => Some(group),
             _ => None,
         })
     }
 
     /// Two cranks that turn on the ground.
-    fn on_the_ground(&self, crank: &Crank<'_>, before: &[Crank<'_>]) -> Option<Wheels> {
+    fn on_the_ground(&self, crank: &TurnedLink<'_>, before: &[TurnedLink<'_>]) -> Option<Wheels> {
         let (first, ratio) = match crank.angle.links[..] {
             [(first, times)] => {
                 self.is_still(&crank.angle.rest).then_some(())?;
@@ -74,7 +82,7 @@ impl Mechanism {
             _ => return None,
         };
         let centre = self.centre_of(first)?;
-        let stand = [centre, crank.centre].iter().all(|&at| self.owner(at) == Some(Body::Ground));
+        let stand = [centre, crank.centre].iter().all(|&at| self.0.owner(at) == Some(Body::Ground));
         stand.then_some(Wheels {
             bodies: [Carrier::Link(first), Carrier::Link(crank.link)],
             centres: [centre, crank.centre],
@@ -83,7 +91,12 @@ impl Mechanism {
     }
 
     /// A crank on another that turns on the ground: it rolls on a wheel that stands, and that the carrier sees turn back.
-    fn planet(&self, crank: &Crank<'_>, carrier: LinkId, before: &[Crank<'_>]) -> Option<Wheels> {
+    fn planet(
+        &self,
+        crank: &TurnedLink<'_>,
+        carrier: LinkId,
+        before: &[TurnedLink<'_>],
+    ) -> Option<Wheels> {
         let ratio = match crank.angle.links[..] {
             [(of, times)] if of == carrier && self.is_still(&crank.angle.rest) => {
                 Exact::integer(times.into())
@@ -95,7 +108,7 @@ impl Mechanism {
             _ => return None,
         };
         let centre = self.centre_of(carrier)?;
-        (self.owner(centre) == Some(Body::Ground)).then(|| Wheels {
+        (self.0.owner(centre) == Some(Body::Ground)).then(|| Wheels {
             bodies: [Carrier::Ground, Carrier::Link(crank.link)],
             centres: [centre, crank.centre],
             ratio: ratio.neg(),
@@ -109,58 +122,64 @@ impl Mechanism {
     }
 
     /// The rate of the second over that of the first, where both are multiples of one input.
-    fn ratio(&self, first: &Crank<'_>, second: &Crank<'_>) -> Option<Exact> {
+    fn ratio(&self, first: &TurnedLink<'_>, second: &TurnedLink<'_>) -> Option<Exact> {
         match [first, second].map(|crank| self.turned_by_an_input(crank)) {
             [Some((input, by)), Some((other, times))] if input == other => times.div(&by),
             _ => None,
         }
     }
 
-    fn turned_by_an_input(&self, crank: &Crank<'_>) -> Option<(InputId, Exact)> {
+    fn turned_by_an_input(&self, crank: &TurnedLink<'_>) -> Option<(InputId, Exact)> {
         match self.line(&crank.angle.rest)? {
-            Line::Moving(input, times) if crank.angle.links.is_empty() => Some((input, times)),
+            ByInputs::Multiple(input, times) if crank.angle.links.is_empty() => {
+                Some((input, times))
+            }
             _ => None,
         }
     }
 
     fn is_still(&self, number: &Scalar) -> bool {
-        !self.moves(number)
+        !self.0.moves(number)
     }
 
-    fn line(&self, number: &Scalar) -> Option<Line> {
+    fn line(&self, number: &Scalar) -> Option<ByInputs> {
         match number {
-            Scalar::Input(input) => Some(Line::Moving(*input, Exact::integer(1))),
-            Scalar::Constant(value) => Some(Line::Still(Some(value.clone()))),
-            Scalar::Let(id) if self.lets[id.index()].links.is_empty() => {
-                self.line(&self.lets[id.index()].rest)
+            Scalar::Input(input) => Some(ByInputs::Multiple(*input, Exact::integer(1))),
+            Scalar::Constant(value) => Some(ByInputs::Still(Some(value.clone()))),
+            Scalar::Let(id) if self.0.lets[id.index()].links.is_empty() => {
+                self.line(&self.0.lets[id.index()].rest)
             }
             Scalar::Negate(value) => Some(match self.line(value)? {
-                Line::Moving(input, times) => Line::Moving(input, times.neg()),
-                Line::Still(value) => Line::Still(value.map(|value| value.neg())),
+                ByInputs::Multiple(input, times) => ByInputs::Multiple(input, times.neg()),
+                ByInputs::Still(value) => ByInputs::Still(value.map(|value| value.neg())),
             }),
             Scalar::Chain(first, rest) => {
                 rest.iter().try_fold(self.line(first)?, |a, (operator, b)| {
                     combined(a, *operator, self.line(b)?)
                 })
             }
-            _ => self.is_still(number).then_some(Line::Still(None)),
+            _ => self.is_still(number).then_some(ByInputs::Still(None)),
         }
     }
 }
 
-fn combined(a: Line, operator: Operator, b: Line) -> Option<Line> {
-    use Line::{Moving, Still};
+fn combined(a: ByInputs, operator: Operator, b: ByInputs) -> Option<ByInputs> {
+    use ByInputs::{Multiple, Still};
     use Operator::{Add, Div, Mul, Sub};
     Some(match (a, operator, b) {
-        (Moving(input, times), Add | Sub, Still(_)) | (Still(_), Add, Moving(input, times)) => {
-            Moving(input, times)
+        (Multiple(input, times), Add | Sub, Still(_)) | (Still(_), Add, Multiple(input, times)) => {
+            Multiple(input, times)
         }
-        (Still(_), Sub, Moving(input, times)) => Moving(input, times.neg()),
-        (Moving(input, a), Add, Moving(other, b)) if input == other => Moving(input, a.add(&b)),
-        (Moving(input, a), Sub, Moving(other, b)) if input == other => Moving(input, a.sub(&b)),
-        (Moving(input, times), Mul, Still(Some(by)))
-        | (Still(Some(by)), Mul, Moving(input, times)) => Moving(input, times.mul(&by)),
-        (Moving(input, times), Div, Still(Some(by))) => Moving(input, times.div(&by)?),
+        (Still(_), Sub, Multiple(input, times)) => Multiple(input, times.neg()),
+        (Multiple(input, a), Add, Multiple(other, b)) if input == other => {
+            Multiple(input, a.add(&b))
+        }
+        (Multiple(input, a), Sub, Multiple(other, b)) if input == other => {
+            Multiple(input, a.sub(&b))
+        }
+        (Multiple(input, times), Mul, Still(Some(by)))
+        | (Still(Some(by)), Mul, Multiple(input, times)) => Multiple(input, times.mul(&by)),
+        (Multiple(input, times), Div, Still(Some(by))) => Multiple(input, times.div(&by)?),
         (Still(a), operator, Still(b)) => Still(a.zip(b).and_then(|(a, b)| match operator {
             Add => Some(a.add(&b)),
             Sub => Some(a.sub(&b)),
@@ -171,9 +190,9 @@ fn combined(a: Line, operator: Operator, b: Line) -> Option<Line> {
     })
 }
 
-fn cranks_of(group: &Group) -> impl Iterator<Item = Crank<'_>> {
+fn cranks_of(group: &Group) -> impl Iterator<Item = TurnedLink<'_>> {
     group.outer.iter().filter_map(|joint| match &joint.drive {
-        Some(Drive::Angle { angle, relative_to }) => Some(Crank {
+        Some(Drive::Angle { angle, relative_to }) => Some(TurnedLink {
             link: joint.link(),
             centre: joint.point()?,
             angle,
@@ -199,7 +218,7 @@ mod tests {
             Carrier::Link(link) => mechanism.links[link.index()].name.to_string(),
             Carrier::Ground => "ground".to_string(),
         };
-        let wheels = mechanism.wheels().into_iter().map(|wheels| {
+        let wheels = super::wheels(&mechanism).into_iter().map(|wheels| {
             let [first, second] = wheels.bodies.map(name);
             format!("{first} {second} {}", wheels.ratio.to_f64())
         });

@@ -24,7 +24,7 @@ pub(super) fn found(mechanism: &mut Mechanism, diagnostics: &mut Diagnostics) {
         return;
     }
     let program = super::placing(mechanism);
-    let turn = Turn::of(mechanism, Placing::new(&program));
+    let turn = PosedTurn::of(mechanism, Placing::new(&program));
     let with_inputs = |touching| Touching { inputs: turn.inputs(&touching), ..touching };
     let reached = touchings.into_iter().map(with_inputs);
     let reached: Vec<_> = reached.filter(|touching| !touching.inputs.is_empty()).collect();
@@ -54,7 +54,7 @@ fn at(mechanism: &Mechanism, found: &Touching) -> String {
 }
 
 /// A mechanism in poses over a turn of its input.
-struct Turn<'a> {
+struct PosedTurn<'a> {
     mechanism: &'a Mechanism,
     placing: Placing<'a>,
     unknowns: Vec<UnknownWords>,
@@ -62,7 +62,7 @@ struct Turn<'a> {
     poses: Vec<Vec<f64>>,
 }
 
-impl<'a> Turn<'a> {
+impl<'a> PosedTurn<'a> {
     fn of(mechanism: &'a Mechanism, placing: Placing<'a>) -> Self {
         let unknowns = unknown_words(mechanism);
         let mut turn = Self { mechanism, placing, unknowns, poses: Vec::new() };

@@ -85,11 +85,11 @@ fn by_ends(a: OutwardInterval, function: impl Fn(f64) -> f64) -> Option<OutwardI
     (!between.low.is_nan() && !between.high.is_nan()).then(|| between.widened(LIBRARY))
 }
 
-pub(super) fn sin(a: OutwardInterval) -> OutwardInterval {
+pub(crate) fn sin(a: OutwardInterval) -> OutwardInterval {
     wave(a, f64::sin, 0.5)
 }
 
-pub(super) fn cos(a: OutwardInterval) -> OutwardInterval {
+pub(crate) fn cos(a: OutwardInterval) -> OutwardInterval {
     wave(a, f64::cos, 0.0)
 }
 

@@ -14,7 +14,7 @@ pub(crate) struct Precision {
     largest: f64,
     /// The largest angle that the fast path's sine takes, in rad.
     largest_angle: f64,
-    /// Of the two widths of the run-time, the one whose constants and kernels it has.
+    /// True if it has the run-time's constants and kernels of double precision.
     is_double: bool,
 }
 

@@ -2,9 +2,9 @@
 //! numbers are.
 
 mod in_script;
-mod marks;
 pub(crate) mod page;
 mod plan_object;
+mod printed_marks;
 
 use self::in_script::{InScript, list, quoted, read};
 use crate::codegen::docs::force_docs::unit_of;
@@ -44,7 +44,7 @@ pub(super) fn object(
         script.put(", (k) => PLAN.points[MACHINE.appliedAt[k >> 1]]),\nappliedAt: [");
         script.put(&points.join(", ")).put("],\n");
     }
-    marks::put(mechanism, marks, &mut script);
+    printed_marks::put(mechanism, marks, &mut script);
     [placing, lowered].iter().for_each(|lowered| searches(mechanism, lowered, &mut script));
     for analysis in Analysis::ON_PAGES {
         entry(mechanism, lowered, analysis, &mut script);

@@ -8,7 +8,7 @@
 //! may lie beside the circle.
 
 use super::{AskedSizes, Assumed, Bounds, Interval, Thresholds, Values};
-use crate::function::{Function, HOOKED_SINE};
+use crate::function::HOOKED_SINE;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
 use crate::ir::liveness::unguarded;
@@ -36,20 +36,25 @@ impl Bounds<'_> {
     /// A sine or a cosine of an input of which an arc is looked at.
     pub(super) fn on_arc(&self, node: Node) -> Option<Interval> {
         let arcs = self.arcs?;
-        let (input, function) = turned_input(self.graph, node)?;
+        let input = turned_input(self.graph, node)?;
         let [low, high] = arcs.sides[arcs.inputs.iter().position(|&one| one == input)?];
-        let (range, _) = function_ranges::of(function, &[OutwardInterval::between(low, high)])?;
+        let angle = OutwardInterval::between(low, high);
+        let range = match node {
+            Node::InputCos(_) => function_ranges::cos(angle),
+            Node::InputSin(_) => function_ranges::sin(angle),
+            Node::Apply(function, _) => function_ranges::of(function, &[angle])?.0,
+            _ => return None,
+        };
         Some(Interval::of(range.low - self.error, range.high + self.error).rounded())
     }
 }
 
 /// The input of which a node is a sine or a cosine.
-fn turned_input(graph: &Graph, node: Node) -> Option<(u32, Function)> {
+fn turned_input(graph: &Graph, node: Node) -> Option<u32> {
     match node {
-        Node::InputCos(input) => Some((input, Function::Cos)),
-        Node::InputSin(input) => Some((input, Function::Sin)),
-        Node::Apply(function @ (Function::Cos | Function::Sin), angle) => match graph.node(angle) {
-            Node::Input { input, order: 0 } => Some((input, function)),
+        Node::InputCos(input) | Node::InputSin(input) => Some(input),
+        Node::Apply(function, angle) if function.reduces_turns() => match graph.node(angle) {
+            Node::Input { input, order: 0 } => Some(input),
             _ => None,
         },
         _ => None,
@@ -105,7 +110,7 @@ impl Values<'_> {
     fn turning_inputs(&self) -> Vec<u32> {
         let mut inputs = Vec::new();
         for &(_, node) in &self.live {
-            let input = turned_input(self.graph, node).map(|(input, _)| input);
+            let input = turned_input(self.graph, node);
             inputs.extend(input.filter(|input| !inputs.contains(input)));
         }
         inputs

@@ -292,7 +292,7 @@ fn what_fails_behind_another_condition_is_not_asked() {
     }
 }
 
-/// What rounding leaves of a constant may lie on either side, whatever the constant's own sign.
+/// The rest that rounding leaves of a constant may lie on either side, whatever the constant's own sign.
 #[test]
 fn the_rest_of_a_constant_is_asked() {
     for value in [0.1, -0.1] {

@@ -10,6 +10,7 @@ use crate::model::acting::{Effort, RequestedEffort};
 use crate::model::mechanism::{
     Carrier, Drive, Group, InputId, LinkId, Mechanism, Operator, Scalar, Step,
 };
+use crate::model::wheels::wheels;
 
 /// Nothing where there are none.
 pub(super) fn put(mechanism: &Mechanism, marks: Option<&Lowered<'_>>, to: &mut Text) {
@@ -39,7 +40,7 @@ pub(super) fn put(mechanism: &Mechanism, marks: Option<&Lowered<'_>>, to: &mut T
         Carrier::Link(link) => Some(link.0.to_string()),
         Carrier::Ground => None,
     });
-    let wheels = mechanism.wheels().into_iter().map(|wheels| {
+    let wheels = wheels(mechanism).into_iter().map(|wheels| {
         let of = |nth: usize| {
             let link = match wheels.bodies[nth] {
                 Carrier::Link(link) => link.0.to_string(),
