@@ -4,6 +4,7 @@ use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion, RelativeAngle};
 use crate::equations::reactions::JacobianFactors;
 use crate::equations::symbol::{GraphBuilder, Sym, Vector};
+use crate::ir::graph::Check;
 use crate::model::mechanism::{Carrier, LinkId, Numerics};
 
 /// Distance of a group from its limit.
@@ -64,6 +65,12 @@ pub(super) struct GroupScope<'s> {
 }
 
 impl<'s> GroupScope<'s> {
+    /// A quotient of a root that may not vanish. As a product of the root and the inverse of its square it would be
+    /// rounded once more, and so would every rate.
+    pub(super) fn over_root(&self, numerator: Sym<'s>, root: Sym<'s>) -> Sym<'s> {
+        numerator / root.guarded_by(Check::Nonzero, self.group, &[])
+    }
+
     /// The symbol under the letter that the derivation calls it by: in the generated code `h` of
     /// the group `BC, DC` is `bc_dc_h_`.
     pub(super) fn label(&self, letter: &str, symbol: Sym<'s>) -> Sym<'s> {

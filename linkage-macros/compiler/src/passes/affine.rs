@@ -9,9 +9,9 @@
 //!                                          k₁ = 2 (a₀ a₁ + b₀ b₁),  k₂ = 2 (a₀ a₂ + b₀ b₂)
 //! ```
 //!
-//! which is known two or three operations earlier. A constant that is added or taken away next
-//! goes into k₀, and what comes of it is known as early. Bounds over a stretch of the angle are tighter by
-//! it.
+//! which is known two or three operations earlier. Bounds over a stretch of the angle are tighter by it.
+//! A constant that is added or taken away next stays what it is: in k₀ it would be rounded by itself, and a
+//! group's height and shares, which are made of both, would agree less.
 //!
 //! # Error
 //! In units of ε/2, with D the distance of the pivots: the affine form loses at most
@@ -37,10 +37,7 @@ use crate::ir::program::Program;
 pub(super) fn square_distances(program: &Program) -> Program {
     let graph = &program.graph;
     let squares = squares(graph);
-    rebuild_with(program, RULES, |maker, id, moved| {
-        let form = squares.get(&id).cloned().or_else(|| shifted(graph, id, &squares))?;
-        form.make(maker, moved)
-    })
+    rebuild_with(program, RULES, |maker, id, moved| squares.get(&id)?.make(maker, moved))
 }
 
 /// The squares of distances that are to be affine.
@@ -52,21 +49,6 @@ fn squares(graph: &Graph) -> Map<Id, AffineForm> {
         Some((id, x.square_with(y)?))
     };
     graph.iter().filter_map(|(id, _)| square(id)).collect()
-}
-
-/// A square and a constant, or their difference, where the square has one term beside k₀: two
-/// would be added a second time.
-fn shifted(graph: &Graph, id: Id, squares: &Map<Id, AffineForm>) -> Option<AffineForm> {
-    let minus = Exact::integer(-1);
-    let form = |id: Id| match graph.as_constant(id) {
-        Some(constant) => Some(AffineForm::constant(constant.clone())),
-        None => squares.get(&id).filter(|form| form.has_one_term()).cloned(),
-    };
-    match graph.node(id) {
-        Node::Add(a, b) => form(a)?.plus(&form(b)?),
-        Node::Sub(a, b) => form(a)?.plus(&form(b)?.scaled(&minus)),
-        _ => None,
-    }
 }
 
 /// Operands of a sum of two squares, if no rounding error of the squares or of the sum is requested.
@@ -128,10 +110,6 @@ impl AffineForm {
     fn of(turn: Rotation, term: usize) -> Self {
         let terms = [0, 1, 2].map(|i| Exact::integer(i64::from(i == term)));
         Self { turn: Some(turn), terms }
-    }
-
-    fn has_one_term(&self) -> bool {
-        self.terms[1..].iter().any(Exact::is_zero)
     }
 
     fn scaled(&self, factor: &Exact) -> Self {

@@ -118,7 +118,7 @@ fn rpr<'s>(
         let magnitude = left.sqrt();
         let s = mode * magnitude;
         let u = sound.recip() * (s * from - e * from.normal());
-        (s, u, mode * magnitude.guarded_by(Check::Nonzero, scope.group, &[]).recip())
+        (s, u, mode * scope.over_root(scope.builder.integer(1), magnitude))
     };
     scope.label("s", s);
     scope.label("inverse s", inverse);

@@ -125,8 +125,7 @@ fn rrp<'s>(
     let r = scope.call_vector("r", reach * u + t * n);
     let bar = Bar::new(b, r, length, l.recip());
 
-    // As X/X² beside the root 1/X would be rounded once more, and so would every rate.
-    let inverse = mode * magnitude.guarded_by(Check::Nonzero, scope.group, &[]).recip();
+    let inverse = mode * scope.over_root(scope.builder.integer(1), magnitude);
     scope.label("inverse reach", inverse);
     let v = b.velocity - guide.transport_at(b, scope.builder.zero_vector()).0;
     let a = b.acceleration - guide.transport_at(b, v).1;

@@ -5,9 +5,9 @@
 //! r₂ = C − B = a d + h d⊥, where
 //!
 //! ```text
-//! i = d² − (l₂ − l₃)²                  a = (i/2 + l₂ (l₂ − l₃)) / d²
-//! J² = i/2 (2 l₂ l₃ − i/2)             b = (i/2 + l₃ (l₃ − l₂)) / d² = 1 − a
-//! h = J/d²                             J = r₂ × r₃, above zero where C is left of B → D
+//! i = d² − (l₂ − l₃)²                  a = (i + 2 l₂ (l₂ − l₃)) / 2d²
+//! 4 J² = i (4 l₂ l₃ − i)               b = (i + 2 l₃ (l₃ − l₂)) / 2d² = 1 − a
+//! h = 2 J/2d²                          J = r₂ × r₃, above zero where C is left of B → D
 //! ```
 //!
 //! and r₃ = C − D = −b d + h d⊥. This is Heron's formula with the two factors that can vanish,

@@ -10,7 +10,9 @@
 //! time, pay for the digits that their centripetal terms would lose. Bars of lengths not known before
 //! run time also pay for what rounding does to their height, which says on which side of a limit they
 //! are. Between three and five lengths of the crank away, a pivot on its axis costs a position one
-//! multiplication: the affine square agrees less well with the line whose square it is.
+//! multiplication: the affine square agrees less well with the line whose square it is. A motion of an rrr
+//! takes up to three operations more than it could: half of i, for which no position waits, and the arm's
+//! products with d, by which those with the bars need not wait for the bars.
 
 use crate::interface::entries::EntryPoint;
 use crate::ir::cost::{Operations, operations};
@@ -125,7 +127,7 @@ fn friction_keeps_its_budgets() {
          output q.drive;"
     );
     let found = [written(rrr, "forces"), written(rrr, "statics")];
-    assert!(found[0] <= 473 && found[1] <= 365, "{found:?}");
+    assert!(found[0] <= 477 && found[1] <= 366, "{found:?}");
 }
 
 /// Name, declaration, and the budgets of position and motion.
@@ -154,70 +156,70 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
     (
         "rrr, pin",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
-        [10, 12, 1, 1, 1],
-        [22, 35, 2, 1, 1],
+        [10, 11, 1, 1, 1],
+        [23, 37, 2, 1, 1],
     ),
     (
         "rrr, axis-parallel pivots",
         after_crank!("rrr BC(B), EC(E) -> C { lengths: (0.8, 0.5), mode: left } output C;"),
-        [8, 12, 1, 1, 1],
-        [19, 34, 2, 1, 1],
-    ),
-    (
-        "rrr, equal bars",
-        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.8), mode: left } output C;"),
         [8, 11, 1, 1, 1],
         [20, 35, 2, 1, 1],
     ),
     (
+        "rrr, equal bars",
+        after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.8), mode: left } output C;"),
+        [8, 10, 1, 1, 1],
+        [21, 37, 2, 1, 1],
+    ),
+    (
         "rrr, bars that differ by a seventh",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.6), mode: left } output C;"),
-        [10, 12, 1, 1, 1],
-        [22, 35, 2, 1, 1],
+        [10, 11, 1, 1, 1],
+        [23, 37, 2, 1, 1],
     ),
     (
         "rrr, bars that differ by less",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.601), mode: left } output C;"),
-        [10, 12, 1, 1, 1],
-        [24, 37, 2, 1, 1],
+        [10, 11, 1, 1, 1],
+        [25, 40, 2, 1, 1],
     ),
     (
         "rrr, first bar",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC;"),
-        [10, 14, 1, 1, 1],
-        [18, 31, 2, 1, 1],
+        [10, 13, 1, 1, 1],
+        [19, 33, 2, 1, 1],
     ),
     (
         "rrr, both bars and pin",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } output BC, DC, C;"),
-        [12, 16, 1, 1, 1],
-        [26, 46, 2, 1, 1],
+        [12, 15, 1, 1, 1],
+        [27, 48, 2, 1, 1],
     ),
     (
         "rrr, coupler point",
         after_crank!(
             "rrr BC(B), DC(D) -> C { lengths: (0.8, 0.5), mode: left } point P on BC at (0.3, 0.1); output P;"
         ),
-        [14, 16, 1, 1, 1],
-        [30, 45, 2, 1, 1],
+        [14, 15, 1, 1, 1],
+        [31, 47, 2, 1, 1],
     ),
     (
         "rrr, a length to tune",
         after_crank!("rrr BC(B), DC(D) -> C { lengths: (p, 0.5), mode: left } output C;"),
         [11, 20, 2, 1, 1],
-        [29, 57, 3, 1, 1],
+        [30, 61, 3, 1, 1],
     ),
     (
         "rrr on moving points",
         after_crank!("rrr BC(B), FC(F) -> C { lengths: (0.8, 0.7), mode: left } output C;"),
-        [13, 14, 1, 1, 2],
+        [13, 13, 1, 1, 2],
         [34, 49, 2, 1, 2],
     ),
     (
         "rrr with a cylinder on the ground",
         "struct M { input s: length; ground A(0, 0), D(0.9, 0.15);
          rrr AC(A), DC(D) -> C { lengths: (s, 0.5), mode: left } output C; }",
-        [8, 11, 0, 1, 0],
+        [8, 10, 0, 1, 0],
         [12, 24, 1, 1, 0],
     ),
     (
@@ -225,7 +227,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
         "struct M { input q: angle; input s: length; ground A(0, 0);
          crank AB(A) -> B { length: 0.3, angle: q } point K on AB at (0.25, 0.2);
          rrr KC(K), BC(B) -> C { lengths: (s, 0.6), mode: right } output C; }",
-        [10, 18, 0, 1, 1],
+        [10, 17, 0, 1, 1],
         [22, 39, 1, 1, 1],
     ),
     (
@@ -234,7 +236,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
          crank AB(A) -> B { length: 0.3, angle: q } crank DE(D) -> E { length: 0.2, angle: -q }
          rrr EC(E), BC(B) -> C { lengths: (s, 0.6), mode: right } output C; }",
         [13, 23, 2, 1, 2],
-        [48, 80, 3, 1, 2],
+        [48, 83, 3, 1, 2],
     ),
     (
         "rrr with a cylinder",
@@ -242,7 +244,7 @@ const CASES: &[(&str, &str, Budget, Budget)] = &[
             "rrr BC(B), DC(D) -> C { lengths: (0.8 + 0.1m * q, 0.5), mode: left } output C;"
         ),
         [12, 21, 2, 1, 1],
-        [37, 74, 3, 1, 1],
+        [37, 77, 3, 1, 1],
     ),
     (
         "rrp on a level guide",

@@ -1,5 +1,7 @@
 //! The triangle of the joints B, D and C: what the position of the group is made of.
 
+use std::ops::{Add, Mul, Sub};
+
 use crate::equations::crank_pin::CrankPin;
 use crate::equations::double_word::DoubleWord;
 use crate::equations::motion::PointMotion;
@@ -45,7 +47,16 @@ impl<'s> Triangle<'s> {
         let across = self.height * self.line.normal();
         scope.note("h n x", across.x);
         scope.note("h n y", across.y);
-        let ([a, b], line) = (self.along, self.line);
+        self.both(self.line, across)
+    }
+
+    /// Images of both bars under a linear map, given those of d and h d⊥.
+    fn both<V>(&self, line: V, across: V) -> [V; 2]
+    where
+        V: Copy + Add<Output = V> + Sub<Output = V>,
+        Sym<'s>: Mul<V, Output = V>,
+    {
+        let [a, b] = self.along;
         let (second, third) = (|| a * line + across, || across - b * line);
         match self.shorter {
             // Halves of d cost nothing.
@@ -56,23 +67,13 @@ impl<'s> Triangle<'s> {
         }
     }
 
-    /// r × f of both bars, given d × f, by which the longer bar's differs from the other's.
-    pub(super) fn crosses(
-        &self,
-        [r2, r3]: [Vector<'s>; 2],
-        f: Vector<'s>,
-        line: Sym<'s>,
-    ) -> [Sym<'s>; 2] {
-        let (second, third) = (|| r2.cross(f), || r3.cross(f));
-        match self.shorter {
-            Some(0) => [second(), second() - line],
-            Some(_) => [third() + line, third()],
-            None => [second(), third()],
-        }
+    /// r × f of both bars, from d·f and d × f: they wait for h alone, and not for the bars.
+    pub(super) fn crosses(&self, dot: Sym<'s>, cross: Sym<'s>) -> [Sym<'s>; 2] {
+        self.both(cross, -(self.height * dot))
     }
 }
 
-/// i/2 and 2 l₂ l₃ − i/2, which vanish at the inner and at the outer toggle.
+/// i and 4 l₂ l₃ − i, which vanish at the inner and at the outer toggle.
 struct Factors<'s> {
     near: Sym<'s>,
     far: Sym<'s>,
@@ -89,43 +90,42 @@ pub(super) fn triangle<'s>(
     let crank = if is_compensated { None } else { CrankPin::of(joints) };
     let plain = scope.note("d d", line.dot(line));
     let square = plain.guarded_by(Check::SquareOfCentres, scope.group, &[line.x, line.y, l2, l3]);
-    let over_square = scope.label("inverse d2", scope.label("d2", square).recip());
+    let one = line.x.builder().integer(1);
+    let over_twice = scope.label("half over d2", one.half() / scope.label("d2", square));
+    let difference = l2 - l3;
     let factors = if is_compensated {
         carried(line, [l2, l3])
     } else {
-        // The half of a constant is one, and that of d² is fused into the difference.
-        let bars = (l2 - l3).squared();
-        let near = match bars.is_constant() {
-            true => plain.half() - bars.half(),
-            false => (plain - bars).half(),
-        };
-        Factors { near, far: (l2 * l3).twice() - near }
+        let near = plain - difference.squared();
+        Factors { near, far: (l2 * l3).twice().twice() - near }
     };
-    let half = scope.label("i half", factors.near);
-    let height = Height::of(scope, line, [l2, l3], factors, [plain, over_square], mode);
+    let whole = scope.label("i", factors.near);
+    let height = Height::of(scope, line, [l2, l3], factors, [plain, over_twice], mode);
 
-    let difference = l2 - l3;
-    let shares = [half + l2 * difference, half - l3 * difference];
-    scope.label("a d2", shares[0]);
-    scope.label("b d2", shares[1]);
+    // Halves are exact, and nothing waits for them but rates.
+    let doubled = [l2 * difference, -(l3 * difference)].map(|shift| whole + shift.twice());
+    let shares = doubled.map(Sym::half);
+    scope.note("a d2", shares[0]);
+    scope.note("b d2", shares[1]);
     let along = if difference.is_zero() {
         // d²/2d², an identity wherever 1/d² exists.
-        [line.x.builder().integer(1).half(); 2]
+        [one.half(); 2]
     } else {
         // From i like J²: its rounding acts like one of d, and the bars keep their lengths.
-        let decided = |name, share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
+        let decided = |name, doubled: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
             let operands = [height.rounded, line.x, line.y, near, far, height.spread];
-            let share = scope.note(&format!("{name} share"), share * over_square);
+            scope.label(&format!("2 {name} d2"), doubled);
+            let share = scope.note(&format!("{name} share"), doubled * over_twice);
             scope.label(name, share.guarded_by(Check::ShareOfCentres, scope.group, &operands))
         };
-        [decided("a", shares[0], [l2, l3]), decided("b", shares[1], [l3, l2])]
+        [decided("a", doubled[0], [l2, l3]), decided("b", doubled[1], [l3, l2])]
     };
     let shorter = difference.constant_value().map(|difference| usize::from(difference > 0.0));
     Triangle {
         lengths: [l2, l3],
         line,
         crank,
-        half,
+        half: whole.half(),
         shares,
         shorter,
         along,
@@ -140,8 +140,8 @@ pub(super) fn triangle<'s>(
 fn carried<'s>(d: Vector<'s>, lengths: [Sym<'s>; 2]) -> Factors<'s> {
     let square = DoubleWord::square_of(d, DoubleWord::of_coordinate);
     let [l2, l3] = lengths.map(DoubleWord::of_sum);
-    let near = square.difference((l2 - l3).squared()).half();
-    Factors { near, far: (l2 + l3).squared().difference(square).half() }
+    let near = square.difference((l2 - l3).squared());
+    Factors { near, far: (l2 + l3).squared().difference(square) }
 }
 
 /// The height of C over d, and what follows from it.
@@ -150,11 +150,11 @@ struct Height<'s> {
     height: Sym<'s>,
     /// J
     cross: Sym<'s>,
-    /// 1/J. As J/J² beside the root it would be rounded once more, and so would every rate.
+    /// 1/J
     inverse: Sym<'s>,
     /// 1/l₂l₃
     over_product: Sym<'s>,
-    /// J² or (J/l₂l₃)², as rounding leaves it.
+    /// 4 J² or (2 J/l₂l₃)², as rounding leaves it.
     rounded: Sym<'s>,
     /// Its size, of which rounding takes last places.
     spread: Sym<'s>,
@@ -166,18 +166,19 @@ impl<'s> Height<'s> {
         d: Vector<'s>,
         [l2, l3]: [Sym<'s>; 2],
         Factors { near, far }: Factors<'s>,
-        [of_line, over_square]: [Sym<'s>; 2],
+        [of_line, over_twice]: [Sym<'s>; 2],
         mode: Sym<'s>,
     ) -> Self {
         let (product, one) = (l2 * l3, d.x.builder().integer(1));
         let over_product = product.recip();
-        // J² in m⁴ or in squares of l₂l₃: what its factors are scaled by, and its root.
+        // 2 J in m² or as a multiple of l₂l₃: what its factors are scaled by, and its root.
         let (scale, area, unit, of_constants) = if has_room([l2, l3], of_line) {
-            (one, one, product.twice(), product)
+            (one, one, product, product)
         } else {
-            (over_product, product, one.twice(), over_product)
+            (over_product, product, one, over_product)
         };
-        let rounded = scope.note("j j", (near * scale) * (far * scale));
+        let [unit, of_constants] = [unit, of_constants].map(|part| part.twice().twice());
+        let rounded = scope.note("2 j 2 j", (near * scale) * (far * scale));
         let spread = match scope.numerics {
             // Factors that are wrong by last places of themselves.
             Numerics::Compensated => d.x.builder().zero(),
@@ -189,12 +190,12 @@ impl<'s> Height<'s> {
         let magnitude = square.sqrt();
         let root = mode * magnitude;
         // The other assembly of the same bars has it as well.
-        let by_root = mode * magnitude.guarded_by(Check::Nonzero, scope.group, &[]).recip();
-        scope.label("j2", square);
-        scope.label("j", root);
-        let height = scope.label("h", root * (area * over_square));
+        let by_root = mode * scope.over_root(one.twice(), magnitude);
+        scope.label("4 j2", square);
+        scope.label("2 j", root);
+        let height = scope.label("h", root * (area * over_twice));
         let inverse = scope.label("inverse j", by_root * scale);
-        Self { height, cross: area * root, inverse, over_product, rounded, spread }
+        Self { height, cross: area.half() * root, inverse, over_product, rounded, spread }
     }
 }
 

@@ -135,8 +135,9 @@ impl<'s> Triangle<'s> {
         let Swing { omega, alpha, arm, .. } = crank.swing;
         let r = bars.map(Bar::vector);
         let across = scope.note("d cross a", crank.across);
-        let ([dot2, dot3], [cross2, cross3]) =
-            (r.map(|r| r.dot(arm)), self.crosses(r, arm, across));
+        // The bars are there when accelerations ask for their products.
+        let [dot2, dot3] = r.map(|r| r.dot(arm));
+        let [cross2, cross3] = self.crosses(self.line.dot(arm), across);
         let turning = scope.note("omega1 j", omega * self.inverse);
         let rates = [turning * cross3, turning * cross2];
         let square = scope.note("omega1 squared", omega.squared());
