@@ -19,7 +19,7 @@ pub(super) struct Triangle<'s> {
     pub(super) crank: Option<CrankPin<'s>>,
     /// i/2
     pub(super) half: Sym<'s>,
-    /// d·r₂ = a d² and −d·r₃ = b d²
+    /// 2 d·r₂ = 2a d² and −2 d·r₃ = 2b d²
     pub(super) shares: [Sym<'s>; 2],
     /// The place of the bar that is known not to be the longer one.
     shorter: Option<usize>,
@@ -102,23 +102,19 @@ pub(super) fn triangle<'s>(
     let whole = scope.label("i", factors.near);
     let height = Height::of(scope, line, [l2, l3], factors, [plain, over_twice], mode);
 
-    // Halves are exact, and nothing waits for them but rates.
-    let doubled = [l2 * difference, -(l3 * difference)].map(|shift| whole + shift.twice());
-    let shares = doubled.map(Sym::half);
-    scope.note("a d2", shares[0]);
-    scope.note("b d2", shares[1]);
+    let shares = [l2 * difference, -(l3 * difference)].map(|shift| whole + shift.twice());
     let along = if difference.is_zero() {
         // d²/2d², an identity wherever 1/d² exists.
         [one.half(); 2]
     } else {
         // From i like J²: its rounding acts like one of d, and the bars keep their lengths.
-        let decided = |name, doubled: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
+        let decided = |name, share: Sym<'s>, [near, far]: [Sym<'s>; 2]| {
             let operands = [height.rounded, line.x, line.y, near, far, height.spread];
-            scope.label(&format!("2 {name} d2"), doubled);
-            let share = scope.note(&format!("{name} share"), doubled * over_twice);
+            scope.label(&format!("2 {name} d2"), share);
+            let share = scope.note(&format!("{name} share"), share * over_twice);
             scope.label(name, share.guarded_by(Check::ShareOfCentres, scope.group, &operands))
         };
-        [decided("a", doubled[0], [l2, l3]), decided("b", doubled[1], [l3, l2])]
+        [decided("a", shares[0], [l2, l3]), decided("b", shares[1], [l3, l2])]
     };
     let shorter = difference.constant_value().map(|difference| usize::from(difference > 0.0));
     Triangle {
@@ -154,7 +150,7 @@ struct Height<'s> {
     inverse: Sym<'s>,
     /// 1/l₂l₃
     over_product: Sym<'s>,
-    /// 4 J² or (2 J/l₂l₃)², as rounding leaves it.
+    /// 4 J² or (J/l₂l₃)², as rounding leaves it.
     rounded: Sym<'s>,
     /// Its size, of which rounding takes last places.
     spread: Sym<'s>,
@@ -171,14 +167,21 @@ impl<'s> Height<'s> {
     ) -> Self {
         let (product, one) = (l2 * l3, d.x.builder().integer(1));
         let over_product = product.recip();
-        // 2 J in m² or as a multiple of l₂l₃: what its factors are scaled by, and its root.
-        let (scale, area, unit, of_constants) = if has_room([l2, l3], of_line) {
-            (one, one, product, product)
+        // 2 J in m², or J as a multiple of l₂l₃: the root. What its factors are scaled by, 1/J as a multiple of the
+        // root's inverse, and 2 J and J as multiples of the root.
+        let (scale, inverse, [twice, area], unit, of_constants) = if has_room([l2, l3], of_line) {
+            let unit = product.twice().twice();
+            (one, one.twice(), [one, one.half()], unit, unit)
         } else {
-            (over_product, product, one, over_product)
+            (
+                over_product.half(),
+                over_product,
+                [product.twice(), product],
+                one.twice(),
+                over_product,
+            )
         };
-        let [unit, of_constants] = [unit, of_constants].map(|part| part.twice().twice());
-        let rounded = scope.note("2 j 2 j", (near * scale) * (far * scale));
+        let rounded = scope.note("root squared", (near * scale) * (far * scale));
         let spread = match scope.numerics {
             // Factors that are wrong by last places of themselves.
             Numerics::Compensated => d.x.builder().zero(),
@@ -190,12 +193,10 @@ impl<'s> Height<'s> {
         let magnitude = square.sqrt();
         let root = mode * magnitude;
         // The other assembly of the same bars has it as well.
-        let by_root = mode * scope.over_root(one.twice(), magnitude);
-        scope.label("4 j2", square);
-        scope.label("2 j", root);
-        let height = scope.label("h", root * (area * over_twice));
-        let inverse = scope.label("inverse j", by_root * scale);
-        Self { height, cross: area.half() * root, inverse, over_product, rounded, spread }
+        let inverse = scope.label("inverse j", mode * scope.over_root(inverse, magnitude));
+        scope.label("root", root);
+        let height = scope.label("h", root * (twice * over_twice));
+        Self { height, cross: area * root, inverse, over_product, rounded, spread }
     }
 }
 

@@ -82,7 +82,7 @@ impl<'s> Triangle<'s> {
         let omega = signed(length.value * length.rate) * self.inverse;
         let square = omega.squared();
         let growth = length.rate.squared() + length.value * length.accel;
-        let alpha = signed(growth - square * self.shares[1 - driven]) * self.inverse;
+        let alpha = signed(growth - square.half() * self.shares[1 - driven]) * self.inverse;
         let rate = length.rate * over_length;
         let own_omega = signed(rate * cosine) * self.inverse;
         let across = alpha * cosine + signed(square * self.cross);
@@ -116,7 +116,7 @@ impl<'s> Triangle<'s> {
             accel3 * cosine - lengths[0].accel * l2 - coriolis[1],
         ];
         let [to_second, to_third] = self.shares;
-        let folding = (rate2 * to_second + rate3 * to_third) * self.inverse;
+        let folding = (rate2 * to_second + rate3 * to_third) * self.inverse.half();
         self.rates(scope, omega, g, folding)
     }
 
@@ -200,7 +200,7 @@ impl<'s> Triangle<'s> {
         let is_second = l3.at_least(l2, one, zero);
         let chosen =
             |second: Sym<'s>, third: Sym<'s>| is_second * second + (one - is_second) * third;
-        let square = chosen(square3, square2);
+        let square = chosen(square3, square2).half();
         let [short3, short2] = [chosen(cosine, l3.squared()), chosen(l2.squared(), cosine)];
         [
             ((with3 + difference * short3) - square * to_third) * self.inverse,
