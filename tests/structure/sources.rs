@@ -48,8 +48,9 @@ pub(crate) struct Crate {
     pub sources: Vec<Source>,
 }
 
-const FOLDERS: [(&str, &str); 4] = [
+const FOLDERS: [(&str, &str); 5] = [
     ("linkage-core", "linkage-core/src"),
+    ("linkage-assemblies", "linkage-core/assemblies/src"),
     ("linkage-design", "linkage-core/design/src"),
     ("linkage-compiler", "linkage-macros/src"),
     ("linkage-compiler", "linkage-macros/compiler/src"),

@@ -1,17 +1,6 @@
 //! The ways to assemble a group, as far as they are proved.
 
-/// The part of the assemblies that is proved.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Outcome {
-    Proved,
-    /// The first angles from the drawing between which nothing is told: two assemblies are next to each other there, or have one
-    /// unknown, or nearly meet. Behind them the list may end.
-    Open {
-        from: f64,
-        to: f64,
-    },
-    OutOfBudget,
-}
+pub(crate) use linkage_assemblies::Outcome;
 
 /// A way to assemble a group.
 #[derive(Clone, Copy, Debug, PartialEq)]

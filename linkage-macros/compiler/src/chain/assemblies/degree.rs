@@ -5,29 +5,22 @@
 //! polynomial of degree n in φ. The powers are those of a kind of group, whatever its lengths are, and are found for lengths
 //! that are residues of a prime: no rounding decides.
 
-use super::closure::{Algebra, Twin, closure};
-use super::pinned::{BodyPin, PinnedGroup};
+use linkage_assemblies::{
+    Algebra, BodyPin, ClosureDegree, DYADS, MOST_DEGREE, PinnedGroup, Twin, closure,
+};
+
 use super::tower::{PRIME, Residues, Tower, power, product, reciprocal};
 
-/// The greatest power that is tried, and the greatest degree n.
-const MOST_POWER: u64 = 10;
-pub(super) const MOST_DEGREE: usize = 30;
+/// The greatest power that is tried.
+const MOST_POWER: u32 = 10;
 /// A polynomial of degree d has no divided difference over d + 2 points; two of these are looked at.
 const POINTS: usize = 2 * MOST_DEGREE + 3;
-
-/// The powers by which a group's closure is a trigonometric polynomial of degree n.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct ClosureDegree {
-    /// By dyad.
-    pub powers: Vec<u64>,
-    pub half: usize,
-}
 
 /// The powers and the degree of a kind of group; `None` where no powers up to ten make one up to thirty.
 pub(super) fn degree(group: &PinnedGroup) -> Option<ClosureDegree> {
     let samples: Vec<_> = (0..POINTS).map(|index| Sampled::of(group, point(index))).collect();
     let weights = [0, 1].map(|first| weights(first, POINTS - 1));
-    let powers = all_powers(group.dyads.len()).into_iter().find(|powers| {
+    let powers = all_powers(group.count()).into_iter().find(|powers| {
         let values: Vec<_> =
             samples.iter().map(|sample| sample.value(powers, MOST_DEGREE)).collect();
         (0..2).all(|first| divided_difference(&values[first..], &weights[first]) == 0)
@@ -45,16 +38,19 @@ pub(super) fn degree(group: &PinnedGroup) -> Option<ClosureDegree> {
 }
 
 /// All powers of so many bases, those with the least sums first.
-fn all_powers(bases: usize) -> Vec<Vec<u64>> {
-    let mut all = vec![Vec::new()];
-    for _ in 0..bases {
-        let longer = |powers: &Vec<u64>| {
-            let powers = powers.clone();
-            (0..=MOST_POWER).map(move |next| [powers.clone(), vec![next]].concat())
+fn all_powers(bases: usize) -> Vec<[u32; DYADS]> {
+    let mut all = vec![[0; DYADS]];
+    for base in 0..bases {
+        let with = |powers: [u32; DYADS], power: u32| {
+            let mut powers = powers;
+            powers[base] = power;
+            powers
         };
+        let longer =
+            |&powers: &[u32; DYADS]| (0..=MOST_POWER).map(move |power| with(powers, power));
         all = all.iter().flat_map(longer).collect();
     }
-    all.sort_by_key(|powers| powers.iter().sum::<u64>());
+    all.sort_by_key(|powers| powers.iter().sum::<u32>());
     all
 }
 
@@ -80,6 +76,9 @@ fn divided_difference(values: &[u64], weights: &[u64]) -> u64 {
         .fold(0, |sum, (&value, &weight)| (sum + product(value, weight)) % PRIME)
 }
 
+/// The sides of the dyads: each root stands for both.
+const SIDES: usize = 0;
+
 /// The products over all modes at a point.
 struct Sampled {
     at: u64,
@@ -91,16 +90,17 @@ impl Sampled {
     fn of(group: &PinnedGroup, at: u64) -> Self {
         let mut field = AtPoint { at, tower: Tower::default() };
         let mut bases = Vec::new();
-        let closure = closure(group, &mut field, |_, base| bases.push(base.clone()));
+        let closure = closure(group, &mut field, SIDES, |_, base| bases.push(base.clone()));
         let norm = |(roots, base): (usize, &Residues)| field.tower.norm(base, roots);
         let bases = bases.iter().enumerate().map(norm).collect();
-        Self { at, closure: field.tower.norm(&closure, group.dyads.len()), bases }
+        Self { at, closure: field.tower.norm(&closure, group.count()), bases }
     }
 
     /// The product with these powers of the bases, times zⁿ.
-    fn value(&self, powers: &[u64], half: usize) -> u64 {
+    fn value(&self, powers: &[u32; DYADS], half: usize) -> u64 {
         let bases = self.bases.iter().zip(powers);
-        let value = bases.fold(self.closure, |all, (&base, &by)| product(all, power(base, by)));
+        let value =
+            bases.fold(self.closure, |all, (&base, &by)| product(all, power(base, by.into())));
         product(value, power(self.at, half as u64))
     }
 }
@@ -147,7 +147,7 @@ impl Algebra for AtPoint {
     }
 
     fn place(&self, at: BodyPin) -> Twin<Residues> {
-        [0, 1].map(|part| vec![residue(at.body, at.pin, part)])
+        [0, 1].map(|part| vec![residue(at.body, at.place, part)])
     }
 
     fn turn(&self) -> Twin<Residues> {

@@ -3,39 +3,24 @@
 //! | part | |
 //! |---|---|
 //! | [`pinned`] | the pins and bodies of a group with one unknown |
-//! | [`closure`] | its equation over any numbers |
-//! | [`tower`], [`degree`] | the equation over residues of a prime: how many ways there are at most |
-//! | [`disc`], [`drawn_group`] | the equation with its roundings, of all modes at once and of one |
-//! | [`chebyshev`], [`circle`] | the zeros of a polynomial around the circle |
+//! | [`tower`], [`degree`] | its equation over residues of a prime: how many ways there are at most |
 //!
-//! An assembly is a zero of the closure's product over all modes. Where dyads do not assemble the product is that of a closure and its
-//! conjugate, whose zeros are double: a zero at which it changes its sign is an assembly.
+//! The crate `linkage-assemblies` has the equation, and lists its zeros.
 
-mod chebyshev;
-mod circle;
-mod closure;
-mod degree;
-mod disc;
-mod drawn_group;
+pub(crate) mod degree;
 mod pinned;
 mod tower;
 
-use circle::{CircleOrigin, zeros};
-use degree::ClosureDegree;
-use drawn_group::{DrawnGroup, DyadSides};
-use pinned::PinnedGroup;
+use linkage_assemblies::{
+    Assembly, Budget, ClosureDegree, List, MOST_DEGREE, PinnedDyad, PinnedGroup, Placed,
+};
 
-use super::assembly_list::{Assemblies, ListedAssembly, OtherAssembly, Outcome};
+use super::assembly_list::{Assemblies, ListedAssembly, OtherAssembly};
 use super::cutting::{Found, Pair, SearchedGroup};
 use super::machine::Machine;
-use super::plane::Complex;
 
-/// The most pieces of the circle that are looked at.
-const BUDGET: usize = 4000;
-/// Tangents of half the angles from which the circle is divided. The second is for an assembly that lies where the first divides.
-const ORIGINS: [f64; 2] = [0.187_5, 0.343_75];
-/// The widths of angles within which the mode of a zero is looked for.
-const WIDTHS: [f64; 4] = [1e-12, 1e-11, 1e-10, 1e-9];
+/// The most that is spent on a list: every piece has its samples.
+const BUDGET: Budget = Budget { samples: 61 * 4000, pieces: 4000 };
 /// The count of ways to solve a group by which its assemblies are listed at most, where the first does not prove them.
 const CUTS: usize = 4;
 
@@ -56,7 +41,7 @@ pub(super) fn nearest_other(machine: &Machine, options: &[SearchedGroup]) -> Opt
 
 /// The ways to assemble the group of a search; `None` where it has slides, links of given angle in its dyads, or no degree.
 pub(super) fn assemblies(machine: &Machine, search: &SearchedGroup) -> Option<Assemblies> {
-    let group = PinnedGroup::of(machine, search)?;
+    let group = pinned::pinned(machine, search)?;
     let degree = degree::degree(&group)?;
     of_degree(machine, search, (&group, &degree))
 }
@@ -65,72 +50,59 @@ pub(super) fn assemblies(machine: &Machine, search: &SearchedGroup) -> Option<As
 fn of_degree(
     machine: &Machine,
     search: &SearchedGroup,
-    (group, degree): (&PinnedGroup, &ClosureDegree),
+    kind: (&PinnedGroup, &ClosureDegree),
 ) -> Option<Assemblies> {
+    Some(as_drawn(machine, kind, &listed(machine, search, kind)?))
+}
+
+/// The list, its unknowns counted from the drawing.
+fn listed(
+    machine: &Machine,
+    search: &SearchedGroup,
+    (group, degree): (&PinnedGroup, &ClosureDegree),
+) -> Option<List<{ 2 * MOST_DEGREE }>> {
     let [Pair::Pin(first), Pair::Pin(second)] = search.joints else { return None };
-    // A power of two, by which places are divided without rounding.
-    let unit = machine.size().log2().round().exp2();
-    let pins: Vec<Complex> = machine.pins.iter().map(|pin| pin.times(1.0 / unit)).collect();
-    let left_out = [first, second].map(|pin| pins[pin]);
-    let drawn = DrawnGroup { group, degree, pins: &pins, left_out };
-    let mut lists = ORIGINS.iter().map(|&tangent| drawn.assemblies(CircleOrigin { tangent }));
-    let first = lists.next()?;
-    match first.outcome {
-        Outcome::Open { .. } => lists.find(Assemblies::is_proved).or(Some(first)),
-        Outcome::Proved | Outcome::OutOfBudget => Some(first),
+    let places: Vec<[f64; 2]> = machine.pins.iter().map(|pin| [pin.x, pin.y]).collect();
+    let left_out = machine.pins[second] - machine.pins[first];
+    let placed = Placed::new(group, degree, (&places, [left_out.x, left_out.y]))?;
+    Some(placed.assemblies(BUDGET))
+}
+
+/// The list with its unknowns counted from the drawing, and the drawing found in it.
+fn as_drawn(
+    machine: &Machine,
+    (group, degree): (&PinnedGroup, &ClosureDegree),
+    listed: &List<{ 2 * MOST_DEGREE }>,
+) -> Assemblies {
+    let sides = drawn_sides(machine, group);
+    // A drawing closes exactly, whatever the last places of its equation say.
+    let is_drawn = |one: &Assembly| {
+        let [from, to] = one.between;
+        one.sides == sides && from < 0.0 && 0.0 < to
+    };
+    let list = listed.iter().map(|one| ListedAssembly {
+        unknown: if is_drawn(one) { 0.0 } else { one.unknown },
+        sides: one.sides,
+        rises: one.rises,
+    });
+    Assemblies {
+        at_most: 2 * degree.half,
+        outcome: listed.outcome,
+        list: list.collect(),
+        drawn: listed.iter().position(is_drawn),
+        is_by_another: false,
     }
 }
 
-impl DrawnGroup<'_> {
-    fn assemblies(&self, origin: CircleOrigin) -> Assemblies {
-        let (mut list, mut unplaced) = (Vec::new(), None);
-        let found = |ends: [f64; 2]| match self.assembly(ends) {
-            Some(assembly) => list.push(assembly),
-            None => unplaced = unplaced.or(Some(ends)),
-        };
-        let outcome = zeros(self, (self.degree.half, origin), BUDGET, found);
-        let outcome = match (outcome, unplaced) {
-            (Outcome::Proved, Some([from, to])) => Outcome::Open { from, to },
-            _ => outcome,
-        };
-        list.sort_by(|a, b| a.unknown.total_cmp(&b.unknown));
-        let sides = self.drawn();
-        let is_drawn = |one: &ListedAssembly| one.unknown == 0.0 && one.sides == sides;
-        let drawn = list.iter().position(is_drawn);
-        Assemblies { at_most: 2 * self.degree.half, outcome, list, drawn, is_by_another: false }
-    }
-
-    /// The assembly at a zero of the product: the only mode whose equation changes its sign there.
-    fn assembly(&self, [from, to]: [f64; 2]) -> Option<ListedAssembly> {
-        WIDTHS.iter().find_map(|width| {
-            let ends = [from - width, to + width];
-            let mut changing = (0..self.modes()).filter_map(|sides| {
-                let [low, high] = ends.map(|end| self.missed(end, sides));
-                let (low, high) = low.zip(high)?;
-                ((low > 0.0) != (high > 0.0)).then_some((sides, high > 0.0))
-            });
-            let (sides, rises) = changing.next()?;
-            // A drawing closes exactly, whatever the last places of its equation say.
-            let is_drawn = sides == self.drawn() && ends[0] < 0.0 && 0.0 < ends[1];
-            let unknown = || if is_drawn { 0.0 } else { self.root(ends, sides, rises) };
-            changing.next().is_none().then(|| ListedAssembly { unknown: unknown(), sides, rises })
-        })
-    }
-
-    /// The place at which the equation of a mode changes its sign, by halving.
-    fn root(&self, [mut low, mut high]: [f64; 2], sides: DyadSides, rises: bool) -> f64 {
-        loop {
-            let middle = (low + high) / 2.0;
-            if !(low < middle && middle < high) {
-                return middle;
-            }
-            let is_above = self.missed(middle, sides).is_some_and(|missed| missed > 0.0) == rises;
-            match is_above {
-                true => high = middle,
-                false => low = middle,
-            }
-        }
-    }
+/// The sides on which the dyads are drawn, as bits.
+fn drawn_sides(machine: &Machine, group: &PinnedGroup) -> usize {
+    let side = |(index, dyad): (usize, &PinnedDyad)| {
+        let [from, to] = dyad.bars.map(|bar| machine.pins[bar.outer.place]);
+        let [_, inner] = dyad.bars[0].ends;
+        let is_left = (to - from).cross(machine.pins[inner] - from) > 0.0;
+        usize::from(is_left) << index
+    };
+    group.dyads().map(side).sum()
 }
 
 #[cfg(test)]

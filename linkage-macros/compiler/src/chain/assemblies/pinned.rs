@@ -1,68 +1,34 @@
 //! The pins and bodies of a group that one unknown and dyads of bars place, in the pose of the drawing.
 //!
-//! Bodies whose drives hold them together are one body there: each drive is at its drawn value.
+//! Bodies whose drives hold them together are one body there: each drive is at its drawn value. A place is numbered as its pin is.
+
+use linkage_assemblies::{BodyPin, DYADS, HungBar, PinnedDyad, PinnedGroup, STANDING, TURNED};
 
 use crate::chain::cutting::{Dyad, Found, Pair, SearchedGroup};
 use crate::chain::machine::Machine;
 
-/// The number of all that stands still, and that of the body that the unknown turns.
-pub(super) const STANDING: usize = 0;
-pub(super) const TURNED: usize = 1;
-/// The most dyads of a group, and its most bodies.
-pub(super) const DYADS: usize = 4;
-pub(super) const BODIES: usize = 2 * DYADS + 2;
-
-/// A pin as a point of a body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct BodyPin {
-    pub body: usize,
-    pub pin: usize,
-}
-
-/// A bar of a dyad: it hangs on another body and ends at the dyad's inner pin.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct HungBar {
-    pub body: usize,
-    pub outer: BodyPin,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PinnedDyad {
-    pub bars: [HungBar; 2],
-    pub inner: usize,
-}
-
-/// A group with one link left out: the distance of two pins is the equation.
-#[derive(Clone, Debug)]
-pub(super) struct PinnedGroup {
-    /// The pin about which the unknown turns its body.
-    pub pivot: usize,
-    /// In the order in which they are placed.
-    pub dyads: Vec<PinnedDyad>,
-    pub equation: [BodyPin; 2],
-}
-
-impl PinnedGroup {
-    /// The group of a search; `None` where it has a slide, or a dyad carries links between its bars.
-    pub(super) fn of(machine: &Machine, search: &SearchedGroup) -> Option<Self> {
-        let mut numbers = BodyNumbers { machine, of: vec![STANDING; machine.bodies.len()] };
-        let (first, others) = search.steps.split_first()?;
-        let Found::Crank { drive: None, body, pivot, .. } = first else { return None };
-        numbers.of[*body] = TURNED;
-        let mut dyads = Vec::new();
-        for step in others {
-            match step {
-                Found::Dyad(dyad) => dyads.push(numbers.dyad(dyad, TURNED + 1 + 2 * dyads.len())?),
-                Found::Crank { drive: Some(_), body, reference, .. } => {
-                    numbers.of[*body] = numbers.of[*reference];
-                }
-                Found::Crank { .. } | Found::Slider { .. } | Found::Search(_) => return None,
+/// The group of a search; `None` where it has a slide, or a dyad carries links between its bars.
+pub(super) fn pinned(machine: &Machine, search: &SearchedGroup) -> Option<PinnedGroup> {
+    let mut numbers = BodyNumbers { machine, of: vec![STANDING; machine.bodies.len()] };
+    let (first, others) = search.steps.split_first()?;
+    let Found::Crank { drive: None, body, pivot, .. } = first else { return None };
+    numbers.of[*body] = TURNED;
+    let (mut dyads, mut count) = ([None; DYADS], 0);
+    for step in others {
+        match step {
+            Found::Dyad(dyad) => {
+                *dyads.get_mut(count)? = Some(numbers.dyad(dyad, TURNED + 1 + 2 * count)?);
+                count += 1;
             }
+            Found::Crank { drive: Some(_), body, reference, .. } => {
+                numbers.of[*body] = numbers.of[*reference];
+            }
+            Found::Crank { .. } | Found::Slider { .. } | Found::Search(_) => return None,
         }
-        let [Pair::Pin(first), Pair::Pin(second)] = search.joints else { return None };
-        let equation = [first, second].map(|pin| numbers.host(pin));
-        (dyads.len() <= DYADS).then_some(Self { pivot: *pivot, dyads, equation })
     }
+    let [Pair::Pin(first), Pair::Pin(second)] = search.joints else { return None };
+    let equation = [first, second].map(|pin| numbers.host(pin));
+    Some(PinnedGroup { pivot: [*pivot; 2], dyads, equation })
 }
 
 /// The numbers of bodies, by their indices in the machine.
@@ -75,7 +41,7 @@ impl BodyNumbers<'_> {
     /// A placed pin: on a body of the group if there is one, else it stands still.
     fn host(&self, pin: usize) -> BodyPin {
         let own = self.machine.at(pin).map(|body| self.of[body]).find(|&body| body != STANDING);
-        BodyPin { body: own.unwrap_or(STANDING), pin }
+        BodyPin { body: own.unwrap_or(STANDING), place: pin }
     }
 
     /// A dyad, whose bars have this number and the next.
@@ -89,10 +55,11 @@ impl BodyNumbers<'_> {
             return None;
         };
         let bars = [(first, number), (second, number + 1)];
-        let bars = bars.map(|(pin, body)| HungBar { body, outer: self.host(pin) });
+        let bars =
+            bars.map(|(pin, body)| HungBar { body, outer: self.host(pin), ends: [pin, inner] });
         for (leg, bar) in dyad.legs.iter().zip(bars) {
             leg.bodies.iter().for_each(|&body| self.of[body] = bar.body);
         }
-        Some(PinnedDyad { bars, inner })
+        Some(PinnedDyad { bars })
     }
 }

@@ -5,11 +5,12 @@ mod special;
 mod trusses;
 mod two_cuts;
 
-use super::circle::PIECES;
 use super::*;
+use crate::chain::assembly_list::Outcome;
 use crate::chain::cutting::Placed;
 use crate::chain::machine::RigidBody;
 use crate::chain::options::options;
+use crate::chain::plane::Complex;
 
 /// Numbers from zero to one by a linear congruence.
 struct Numbers(u64);
@@ -45,11 +46,25 @@ fn cuts(machine: &Machine) -> Vec<SearchedGroup> {
     options(machine, &Placed::at_first(machine), &group)
 }
 
-/// The power of a triad's base: the kind of group is the same for all lengths.
+/// The list of a kind of group, and the pieces that were looked at.
+fn list_and_pieces(
+    machine: &Machine,
+    search: &SearchedGroup,
+    kind: (&PinnedGroup, &ClosureDegree),
+) -> (Assemblies, u32) {
+    let list = listed(machine, search, kind).expect("it has pins alone");
+    assert!(list.samples <= BUDGET.samples && list.pieces <= BUDGET.pieces);
+    (as_drawn(machine, kind, &list), list.pieces)
+}
+
+/// The same of a triad: the kind of group is one for all lengths.
+fn counted_triad(machine: &Machine, search: &SearchedGroup) -> (Assemblies, u32) {
+    let group = pinned::pinned(machine, search).expect("it has pins alone");
+    list_and_pieces(machine, search, (&group, &ClosureDegree { powers: [1, 0, 0, 0], half: 3 }))
+}
+
 fn of_triad(machine: &Machine, search: &SearchedGroup) -> Assemblies {
-    let group = PinnedGroup::of(machine, search).expect("it has pins alone");
-    let degree = ClosureDegree { powers: vec![1], half: 3 };
-    of_degree(machine, search, (&group, &degree)).expect("it has pins alone")
+    counted_triad(machine, search).0
 }
 
 /// The counts of assemblies by every cut.

@@ -1,22 +1,25 @@
 //! Polynomials as sums of Chebyshev's, from values in his nodes that are known to within a radius.
 
-use std::f64::consts::PI;
+use core::f64::consts::PI;
 
-use super::degree::MOST_DEGREE;
+use libm::cos;
+
+use crate::MOST_DEGREE;
 
 const EPSILON: f64 = f64::EPSILON;
 /// The most coefficients of a polynomial.
 const MOST: usize = 2 * MOST_DEGREE + 1;
 
 /// The nodes for polynomials of so many coefficients.
-pub(super) struct Nodes {
+pub struct Nodes {
+    /// The count of coefficients.
     pub count: usize,
     /// The cosines of the multiples of π/2 by the count.
     cosines: [f64; 4 * MOST],
 }
 
 /// A polynomial over −1 … 1, as far as it is known.
-pub(super) struct Polynomial {
+pub struct Polynomial {
     count: usize,
     terms: [f64; MOST],
     /// A bound on what the sum of these terms is off by.
@@ -27,23 +30,29 @@ pub(super) struct Polynomial {
 
 /// The zeros of a polynomial over −1 … 1 as far as its coefficients tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum ZerosFound {
+pub enum ZerosFound {
+    /// None at all.
     None,
     /// A single one, between these.
     One([f64; 2]),
+    /// The coefficients do not tell.
     Unknown,
 }
 
 impl Nodes {
-    pub(super) fn of(count: usize) -> Self {
+    /// The nodes for polynomials of so many coefficients, 61 at most.
+    #[must_use]
+    pub fn of(count: usize) -> Self {
         let mut cosines = [0.0; 4 * MOST];
         for (index, cosine) in cosines.iter_mut().enumerate().take(4 * count) {
-            *cosine = (PI * index as f64 / (2 * count) as f64).cos();
+            *cosine = cos(PI * index as f64 / (2 * count) as f64);
         }
         Self { count, cosines }
     }
 
-    pub(super) fn node(&self, index: usize) -> f64 {
+    /// The place of a node.
+    #[must_use]
+    pub fn node(&self, index: usize) -> f64 {
         self.cosines[2 * index + 1]
     }
 
@@ -51,7 +60,8 @@ impl Nodes {
     ///
     /// The interpolation of errors in the nodes grows them by Lebesgue's constant at most, 1 + (2/π) ln n: under 4 for 61 nodes. A
     /// cosine is off by ten units, as its argument of up to 2π is, and a sum of n products by n half units.
-    pub(super) fn polynomial(&self, values: &[f64; MOST], radius: f64) -> Polynomial {
+    #[must_use]
+    pub fn polynomial(&self, values: &[f64; MOST], radius: f64) -> Polynomial {
         let count = self.count;
         let mut terms = [0.0; MOST];
         for (row, term) in terms.iter_mut().enumerate().take(count) {
@@ -65,7 +75,9 @@ impl Nodes {
         Polynomial { count, terms, off, size }
     }
 
-    pub(super) fn no_values() -> [f64; MOST] {
+    /// Room for the values in all nodes.
+    #[must_use]
+    pub fn no_values() -> [f64; MOST] {
         [0.0; MOST]
     }
 }
@@ -73,7 +85,8 @@ impl Nodes {
 impl Polynomial {
     /// The zeros, by two rules: a constant term that is greater than all others leaves none, and one of the slope leaves one at
     /// most, which the signs at the ends tell.
-    pub(super) fn zeros(&self) -> ZerosFound {
+    #[must_use]
+    pub fn zeros(&self) -> ZerosFound {
         let constant = self.terms[0].abs();
         if !(self.size + self.off).is_finite() {
             return ZerosFound::Unknown;

@@ -2,13 +2,18 @@
 //!
 //! Each operation returns a disc that holds the exact results of all numbers of its operands' discs.
 
-use std::f64::consts::SQRT_2;
+use core::f64::consts::SQRT_2;
+
+use libm::{hypot, sqrt};
 
 /// All numbers as near to x + i y as the radius.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Disc {
+pub struct Disc {
+    /// The centre's real part.
     pub x: f64,
+    /// The centre's imaginary part.
     pub y: f64,
+    /// The radius.
     pub radius: f64,
 }
 
@@ -20,7 +25,9 @@ fn outward(radius: f64) -> f64 {
 }
 
 impl Disc {
-    pub(super) fn exact(x: f64, y: f64) -> Self {
+    /// A number without error.
+    #[must_use]
+    pub fn exact(x: f64, y: f64) -> Self {
         Self { x, y, radius: 0.0 }
     }
 
@@ -32,25 +39,31 @@ impl Disc {
 
     /// No more than the length of the center.
     fn least(self) -> f64 {
-        self.x.hypot(self.y) * (1.0 - 4.0 * EPSILON)
+        hypot(self.x, self.y) * (1.0 - 4.0 * EPSILON)
     }
 
-    pub(super) fn conjugate(self) -> Self {
+    /// The conjugates.
+    #[must_use]
+    pub fn conjugate(self) -> Self {
         Self { y: -self.y, ..self }
     }
 
-    /// Each part of a sum is off by half a unit in its last place.
-    pub(super) fn plus(self, other: Self) -> Self {
+    /// The sums. Each part of a sum is off by half a unit in its last place.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
         let sum = Self { x: self.x + other.x, y: self.y + other.y, radius: 0.0 };
         Self { radius: outward(self.radius + other.radius + EPSILON * sum.most()), ..sum }
     }
 
-    pub(super) fn minus(self, other: Self) -> Self {
+    /// The differences.
+    #[must_use]
+    pub fn minus(self, other: Self) -> Self {
         self.plus(Self { x: -other.x, y: -other.y, ..other })
     }
 
-    /// Each part of a product is off by three half units of |x||u| + |y||v|, no more than three of the lengths' product.
-    pub(super) fn times(self, other: Self) -> Self {
+    /// The products. Each part of a product is off by three half units of |x||u| + |y||v|, no more than three of the lengths' product.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
         let (a, b) = (self.most(), other.most());
         let x = self.x * other.x - self.y * other.y;
         let y = self.x * other.y + self.y * other.x;
@@ -58,8 +71,9 @@ impl Disc {
         Self { x, y, radius: outward(radius + self.radius * other.radius) }
     }
 
-    /// The radius is infinite for a disc that holds zero. |1/z − 1/c| = |z − c|/(|z| |c|).
-    pub(super) fn inverse(self) -> Self {
+    /// The inverses. The radius is infinite for a disc that holds zero. |1/z − 1/c| = |z − c|/(|z| |c|).
+    #[must_use]
+    pub fn inverse(self) -> Self {
         let least = self.least();
         if least <= self.radius || self.radius.is_nan() {
             return Self { x: 0.0, y: 0.0, radius: f64::INFINITY };
@@ -73,18 +87,21 @@ impl Disc {
     /// A root: of each number of the disc one of both roots is in the result.
     ///
     /// With c = r², and s the nearer root to r of a number z: |s − r| |s + r| = |z − c|, and |s + r| is no less than |s − r| and |r|.
-    pub(super) fn root(self) -> Self {
-        let far = self.x.hypot(self.y);
-        let larger = ((far + self.x.abs()) / 2.0).sqrt();
+    #[must_use]
+    pub fn root(self) -> Self {
+        let far = hypot(self.x, self.y);
+        let larger = sqrt((far + self.x.abs()) / 2.0);
         let smaller = if larger > 0.0 { self.y.abs() / larger / 2.0 } else { 0.0 };
         let (x, y) = if self.x >= 0.0 { (larger, smaller) } else { (smaller, larger) };
         let root = Self { x, y: if self.y < 0.0 { -y } else { y }, radius: 0.0 };
         let near = if root.least() > 0.0 { self.radius / root.least() } else { f64::INFINITY };
-        let radius = near.min(self.radius.sqrt()) + 8.0 * EPSILON * root.most();
+        let radius = near.min(sqrt(self.radius)) + 8.0 * EPSILON * root.most();
         Self { radius: outward(radius), ..root }
     }
 
-    pub(super) fn negative(self) -> Self {
+    /// The opposites.
+    #[must_use]
+    pub fn negative(self) -> Self {
         Self { x: -self.x, y: -self.y, ..self }
     }
 }

@@ -4,11 +4,14 @@
 //! of degree 2n in t there, and as many values and one more are all of it. A piece of a half either tells its zeros or
 //! is divided, and both parts are looked at anew: the values of a polynomial vary over many decades around the circle.
 
-use std::f64::consts::{PI, TAU};
+use core::f64::consts::{PI, TAU};
 
-use super::chebyshev::{Nodes, ZerosFound};
-use super::disc::Disc;
-use crate::chain::assembly_list::Outcome;
+use libm::{atan, floor};
+
+use crate::MOST_DEGREE;
+use crate::chebyshev::{Nodes, ZerosFound};
+use crate::disc::Disc;
+use crate::listed::Outcome;
 
 /// The first ends of pieces: no number of a drawing.
 const ENDS: [f64; 5] = [-1.0, -0.421_875, 0.015_625, 0.406_25, 1.0];
@@ -21,14 +24,28 @@ const UNTOLD: usize = 16;
 /// The most pieces that wait at once: each that is divided leaves one waiting, and none is divided thirty times.
 const WAITING: usize = 64;
 
-#[cfg(test)]
-thread_local! {
-    /// The count of pieces that were looked at, by which tests bound the work of a list.
-    pub(super) static PIECES: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+/// The most that is spent on a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// Values of the product over all modes.
+    pub samples: u32,
+    /// Pieces of the circle that are looked at.
+    pub pieces: u32,
+}
+
+/// The part of the circle that is settled, and what was spent on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Searched {
+    /// The part that is proved.
+    pub outcome: Outcome,
+    /// Values that were computed.
+    pub samples: u32,
+    /// Pieces that were looked at.
+    pub pieces: u32,
 }
 
 /// The function whose zeros are searched.
-pub(super) trait OnCircle {
+pub trait OnCircle {
     /// Its value at a point of the circle.
     fn value(&self, turn: Disc) -> Disc;
     /// True if it has no zero as near to an angle.
@@ -42,9 +59,10 @@ struct Piece {
     ends: [f64; 2],
 }
 
-/// The angle from which halves are counted, by the tangent of its half.
+/// The angle from which halves of the circle are counted.
 #[derive(Clone, Copy)]
-pub(super) struct CircleOrigin {
+pub struct CircleOrigin {
+    /// The tangent of half of it.
     pub tangent: f64,
 }
 
@@ -56,7 +74,7 @@ impl CircleOrigin {
     }
 
     fn angle(self, is_opposite: bool, tangent: f64) -> f64 {
-        2.0 * (tangent.atan() + self.tangent.atan()) + if is_opposite { PI } else { 0.0 }
+        2.0 * (atan(tangent) + atan(self.tangent)) + if is_opposite { PI } else { 0.0 }
     }
 }
 
@@ -67,17 +85,16 @@ fn unit(tangent: Disc) -> Disc {
     half.times(half).times(one.plus(tangent.times(tangent)).inverse())
 }
 
-/// Finds all zeros of a trigonometric polynomial of degree `half`, and hands over two angles about each, in ascending order. At
-/// most `budget` pieces are looked at.
-pub(super) fn zeros(
+/// Finds all zeros of a trigonometric polynomial of degree `half`, and hands over two angles about each, in ascending order but for
+/// the first turn.
+pub fn zeros(
     of: &impl OnCircle,
     (half, origin): (usize, CircleOrigin),
-    budget: usize,
+    budget: Budget,
     mut found: impl FnMut([f64; 2]),
-) -> Outcome {
-    let nodes = Nodes::of(2 * half + 1);
-    let mut looked_at = 0;
-    let mut open = Untold::default();
+) -> Searched {
+    let nodes = Nodes::of(2 * half.min(MOST_DEGREE) + 1);
+    let mut search = Search { budget, samples: 0, pieces: 0, untold: Untold::default() };
     for is_opposite in [false, true] {
         for ends in ENDS.windows(2) {
             let mut waiting = [Piece { is_opposite, ends: [ends[0], ends[1]] }; WAITING];
@@ -85,13 +102,16 @@ pub(super) fn zeros(
             while count > 0 {
                 count -= 1;
                 let piece = waiting[count];
-                if looked_at == budget {
-                    return open.outcome(Outcome::OutOfBudget);
+                if !search.begins_piece() {
+                    return search.ended(Outcome::OutOfBudget);
                 }
-                looked_at += 1;
-                #[cfg(test)]
-                PIECES.with(|count| count.set(count.get() + 1));
-                match piece.zeros(of, (half, origin), &nodes) {
+                if piece.has_none(of, origin) {
+                    continue;
+                }
+                if !search.takes_samples(nodes.count) {
+                    return search.ended(Outcome::OutOfBudget);
+                }
+                match piece.zeros(of, origin, &nodes) {
                     ZerosFound::None => {}
                     ZerosFound::One(ends) => found(piece.angles(origin, ends)),
                     ZerosFound::Unknown if !piece.is_short() && count + 2 <= WAITING => {
@@ -99,16 +119,46 @@ pub(super) fn zeros(
                         count += 2;
                     }
                     ZerosFound::Unknown => {
-                        open.add(piece.angles(origin, piece.ends));
-                        if open.pieces == UNTOLD {
-                            return open.outcome(Outcome::Proved);
+                        search.untold.add(piece.angles(origin, piece.ends));
+                        if search.untold.pieces == UNTOLD {
+                            return search.ended(Outcome::Proved);
                         }
                     }
                 }
             }
         }
     }
-    open.outcome(Outcome::Proved)
+    search.ended(Outcome::Proved)
+}
+
+/// A search under way.
+struct Search {
+    budget: Budget,
+    samples: u32,
+    pieces: u32,
+    untold: Untold,
+}
+
+impl Search {
+    /// False where no piece is left.
+    fn begins_piece(&mut self) -> bool {
+        let is_left = self.pieces < self.budget.pieces;
+        self.pieces += u32::from(is_left);
+        is_left
+    }
+
+    /// False where not so many samples are left.
+    fn takes_samples(&mut self, count: usize) -> bool {
+        let is_left = (self.budget.samples - self.samples) as usize >= count;
+        self.samples += if is_left { count as u32 } else { 0 };
+        is_left
+    }
+
+    /// What is not told goes before a lack of budget.
+    fn ended(&self, otherwise: Outcome) -> Searched {
+        let outcome = self.untold.outcome(otherwise);
+        Searched { outcome, samples: self.samples, pieces: self.pieces }
+    }
 }
 
 /// The pieces that tell nothing: their count, and the first with what follows it at once.
@@ -146,7 +196,7 @@ impl Piece {
 
     fn angles(&self, origin: CircleOrigin, ends: [f64; 2]) -> [f64; 2] {
         let ends = ends.map(|end| origin.angle(self.is_opposite, end));
-        let turns = ((ends[0] + PI) / TAU).floor();
+        let turns = floor((ends[0] + PI) / TAU);
         ends.map(|end| end - turns * TAU)
     }
 
@@ -157,23 +207,20 @@ impl Piece {
         Disc { x, y: 0.0, radius: 16.0 * f64::EPSILON * from.abs().max(to.abs()) }
     }
 
-    /// The zeros in the piece, between tangents.
-    fn zeros(
-        &self,
-        of: &impl OnCircle,
-        (half, origin): (usize, CircleOrigin),
-        nodes: &Nodes,
-    ) -> ZerosFound {
+    /// True if the function is known to have none here.
+    fn has_none(&self, of: &impl OnCircle, origin: CircleOrigin) -> bool {
         let [from, to] = self.ends.map(|end| origin.angle(self.is_opposite, end));
-        if of.has_none((from + to) / 2.0, (to - from) / 2.0) {
-            return ZerosFound::None;
-        }
+        of.has_none((from + to) / 2.0, (to - from) / 2.0)
+    }
+
+    /// The zeros in the piece, between tangents.
+    fn zeros(&self, of: &impl OnCircle, origin: CircleOrigin, nodes: &Nodes) -> ZerosFound {
         let (mut values, mut radius) = (Nodes::no_values(), 0.0_f64);
         for (index, to) in values.iter_mut().enumerate().take(nodes.count) {
             let tangent = self.tangent(nodes.node(index));
             let square = Disc::exact(1.0, 0.0).plus(tangent.times(tangent));
             let value = of.value(origin.turn(self.is_opposite, tangent));
-            let value = (0..half).fold(value, |value, _| value.times(square));
+            let value = (0..nodes.count / 2).fold(value, |value, _| value.times(square));
             *to = value.x;
             // A radius that is no number stays one.
             radius = if radius.is_nan() || value.radius <= radius { radius } else { value.radius };
