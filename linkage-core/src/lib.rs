@@ -131,6 +131,7 @@ extern crate self as linkage_core;
 #[cfg(any(feature = "std", feature = "nalgebra", test))]
 extern crate std;
 
+pub mod assemblies;
 mod c_interface;
 #[cfg(test)]
 mod cases;

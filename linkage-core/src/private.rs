@@ -17,6 +17,9 @@ pub use core::prelude::v1::derive;
 pub use core::primitive::{bool, f32, f64, i32, str, u32, usize};
 pub use core::result::Result::{self, Err, Ok};
 
+pub use crate::assemblies::{
+    Assembly, Budget, List, PinnedKind, assembled_side, assembled_trend, listed,
+};
 pub use crate::c_interface::{CError, c_sense, c_side, c_trend};
 pub use crate::checks::{AllMet, Behind, Checks, FirstError};
 pub use crate::clearance::{Clearance, told};
@@ -58,6 +61,7 @@ pub use crate::{
     Mechanism, Parameters, Point, Real, Record, Scalar, Sense, Shaking, Side, Slide,
     SlidingAcceleration, SlidingDirection, SlidingVelocity, SolveError,
 };
+pub use linkage_assemblies::{BodyPin, ClosureDegree, HungBar, PinnedDyad, PinnedGroup};
 #[cfg(feature = "ad")]
 pub use nalgebra::SMatrix;
 #[cfg(feature = "ad")]

@@ -33,6 +33,13 @@ pub struct Budget {
     pub pieces: u32,
 }
 
+impl Default for Budget {
+    /// More than a group of random lengths needs: a triad takes 200 samples as a rule and 2,000 at most, and nine links 28,000 at most.
+    fn default() -> Self {
+        Self { samples: 40_000, pieces: 4_000 }
+    }
+}
+
 /// The part of the circle that is settled, and what was spent on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Searched {
@@ -154,7 +161,7 @@ impl Search {
         is_left
     }
 
-    /// What is not told goes before a lack of budget.
+    /// An end of the search: what is not told goes before a lack of budget.
     fn ended(&self, otherwise: Outcome) -> Searched {
         let outcome = self.untold.outcome(otherwise);
         Searched { outcome, samples: self.samples, pieces: self.pieces }

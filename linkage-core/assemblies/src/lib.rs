@@ -38,7 +38,8 @@ pub use closure::{Algebra, Twin, closure, product};
 pub use disc::Disc;
 pub use listed::{Assembly, List, Nearest, Outcome};
 pub use pinned::{
-    BODIES, BodyPin, ClosureDegree, DYADS, HungBar, PinnedDyad, PinnedGroup, STANDING, TURNED,
+    BODIES, BodyPin, ClosureDegree, DYADS, HungBar, MOST_PLACES, PinnedDyad, PinnedGroup, STANDING,
+    TURNED,
 };
 pub use placed::Placed;
 

@@ -4,6 +4,9 @@ use core::f64::consts::{PI, TAU};
 
 use libm::floor;
 
+/// The most halvings of the room about an assembly, up to the rounding of the unknown.
+const HALVINGS: usize = 52;
+
 /// The part of the assemblies that is proved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
@@ -35,6 +38,8 @@ pub struct Assembly {
     pub rises: bool,
     /// Half the angle to the nearest other assembly in radians, whichever sides it has; π where there is none.
     pub room: f64,
+    /// The width on each side within which the unknown is searched, in radians: the room, or less where the dyads do not assemble on these sides.
+    pub within: f64,
 }
 
 /// The ways to assemble a group in one pose of the inputs, at most `N`.
@@ -70,8 +75,21 @@ pub(crate) fn wrapped(angle: f64) -> f64 {
 impl<const N: usize> List<N> {
     /// A list of none.
     pub(crate) fn new(outcome: Outcome) -> Self {
-        let none = Assembly { unknown: 0.0, between: [0.0; 2], sides: 0, rises: false, room: PI };
+        let none = Assembly {
+            unknown: 0.0,
+            between: [0.0; 2],
+            sides: 0,
+            rises: false,
+            room: PI,
+            within: PI,
+        };
         Self { assemblies: [none; N], count: 0, outcome, samples: 0, pieces: 0 }
+    }
+
+    /// A list of which nothing is known.
+    #[must_use]
+    pub fn unknown() -> Self {
+        Self::new(Outcome::Open { from: -PI, to: PI })
     }
 
     /// False where there is no room for it.
@@ -102,6 +120,20 @@ impl<const N: usize> List<N> {
             let behind = next.map_or(around, |next| next - all[index].unknown);
             all[index].room = before.min(behind) / 2.0;
             before = behind;
+        }
+    }
+
+    /// The room of each assembly is halved until a search about it is inside.
+    pub(crate) fn search_within(&mut self, is_inside: impl Fn(&Assembly, f64) -> bool) {
+        for assembly in &mut self.assemblies[..self.count] {
+            let mut within = assembly.room;
+            for _ in 0..HALVINGS {
+                if [within, -within].iter().all(|off| is_inside(assembly, *off)) {
+                    break;
+                }
+                within /= 2.0;
+            }
+            assembly.within = within;
         }
     }
 

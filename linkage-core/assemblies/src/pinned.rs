@@ -9,6 +9,9 @@ pub const DYADS: usize = 4;
 /// The most bodies.
 pub const BODIES: usize = 2 * DYADS + 2;
 
+/// The most places of a group: two pivots, two outer pins and four ends of each dyad, and two pins of the equation.
+pub const MOST_PLACES: usize = 4 + 6 * DYADS;
+
 /// A pin as a point of a body: by the number of its place in the body's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BodyPin {

@@ -176,6 +176,9 @@ impl<'g> Placed<'g> {
         };
         (list.samples, list.pieces) = (searched.samples, searched.pieces);
         list.sort();
+        list.search_within(|assembly, off| {
+            self.missed(assembly.unknown + off, assembly.sides).is_some()
+        });
         list
     }
 
@@ -193,7 +196,7 @@ impl<'g> Placed<'g> {
                 let root = self.root(ends, sides, rises);
                 let unknown = wrapped(root);
                 let between = ends.map(|end| end + (unknown - root));
-                Assembly { unknown, between, sides, rises, room: 0.0 }
+                Assembly { unknown, between, sides, rises, room: 0.0, within: 0.0 }
             })
         })
     }

@@ -1,5 +1,6 @@
 //! START HERE: the phases in order, each with what is true after it.
 
+mod assembly_export;
 mod change_points;
 mod common_range;
 mod parsed;
@@ -92,17 +93,18 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     let declaration = parsed.map(Parsed::driven);
     let resolved = declaration.as_ref().map(|tree| resolved(tree, &mut diagnostics));
     let notes = diagnostics.take_notes();
-    match (resolved, diagnostics.finish()) {
-        (Some(Ok(mechanism)), Ok(())) => {
+    match (declaration.as_ref().zip(resolved), diagnostics.finish()) {
+        (Some((tree, Ok(mechanism))), Ok(())) => {
             let text = options.page.then(|| text(&source));
-            let tokens = solver(&mechanism, text.as_deref(), options);
+            let tokens = solver((tree, &mechanism), text.as_deref(), options);
             Output { tokens, diagnostics: Vec::new(), notes }
         }
-        (resolved, Err(Failure(diagnostics))) => {
+        (understood, Err(Failure(diagnostics))) => {
             let errors = diagnostics.iter().map(Diagnostic::compile_error);
-            let understood = declaration.as_ref().zip(resolved.and_then(Result::err));
-            let stub = understood
-                .map(|(declaration, Stub(mechanism))| stub(declaration, &mechanism, options));
+            let stub = understood.and_then(|(declaration, resolved)| {
+                let Stub(mechanism) = resolved.err()?;
+                Some(stub(declaration, &mechanism, options))
+            });
             Output { tokens: errors.chain(stub).collect(), diagnostics, notes: Vec::new() }
         }
         (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
@@ -258,10 +260,11 @@ pub(crate) fn resolved(
     // No barrier in front: the tree marks what could not be read, and the model says nothing of what may only be
     // missing because of that. Afterwards every name is a typed id and every dimension is checked.
     let mut mechanism = model::resolve(declaration, diagnostics)?;
-    // The two rules that ask for equations; nothing that follows can fail.
+    // The three rules that ask for equations; nothing that follows can fail.
     let never_turns = equations::pole_of_what_never_turns(&mechanism, passes::RULES);
     let does_work = equations::load_does_work(&mechanism, passes::RULES);
-    if does_work && never_turns.is_none() {
+    if does_work && never_turns.is_none() && assembly_export::can_be_listed(&mechanism, diagnostics)
+    {
         change_points::found(&mut mechanism, diagnostics);
         return Ok(mechanism);
     }
@@ -284,10 +287,15 @@ pub(crate) fn program(mechanism: &Mechanism) -> Program {
 }
 
 /// The solver, and with it what draws the mechanism where that is asked for.
-fn solver(mechanism: &Mechanism, text: Option<&str>, options: &Options) -> TokenStream {
+fn solver(
+    (tree, mechanism): (&Declaration, &Mechanism),
+    text: Option<&str>,
+    options: &Options,
+) -> TokenStream {
     let placing = options.sketch.then(|| placing(mechanism));
     let drawn = placing.as_ref().map(|program| (program, text));
-    code(mechanism, &program(mechanism), drawn, options)
+    let own = code(mechanism, &program(mechanism), drawn, options);
+    [own, assembly_export::solver_of_any(tree, mechanism, options)].into_iter().collect()
 }
 
 /// The same for the program by which the mechanism is drawn, which shares nothing with the solver's.
@@ -330,7 +338,9 @@ pub(crate) fn code(
         let marks = marks.as_ref().map(|program| lower::lower_marks(mechanism, program));
         Drawing { placing, marks, source }
     });
-    codegen::generate(mechanism, &lowered, drawing.as_ref(), options.serde)
+    let kind = assembly_export::kind(mechanism);
+    let listing = kind.as_ref().map(|kind| kind.listing(mechanism));
+    codegen::generate(mechanism, &lowered, (drawing.as_ref(), listing.as_ref()), options.serde)
 }
 
 /// The struct and its methods for a declaration with mistakes. They never run: every result is zero.

@@ -50,12 +50,14 @@ fn reordered(pins: Triad, order: [usize; 3]) -> Triad {
     [a, b, c, d, e, f]
 }
 
-fn list(pins: Triad, budget: Budget) -> List<6> {
+fn placed<R>(pins: Triad, of: impl FnOnce(&Placed<'_>) -> R) -> R {
     let places = pins.map(|pin| [pin.x, pin.y]);
     let way = pins[5] - pins[2];
-    let placed =
-        Placed::new(&GROUP, &DEGREE, (&places, [way.x, way.y])).expect("bars have lengths");
-    placed.assemblies(budget)
+    of(&Placed::new(&GROUP, &DEGREE, (&places, [way.x, way.y])).expect("bars have lengths"))
+}
+
+fn list(pins: Triad, budget: Budget) -> List<6> {
+    placed(pins, |placed| placed.assemblies(budget))
 }
 
 /// The plate's pins in an assembly, by the cosine theorem.
@@ -77,7 +79,7 @@ fn plate(pins: Triad, assembly: &Assembly) -> [Complex; 3] {
 #[test]
 fn listed_poses_close_and_hold_the_drawing() {
     let mut numbers = Numbers(5);
-    let (mut poses, mut widest) = (0, 0.0_f64);
+    let (mut poses, mut halved, mut widest) = (0, 0, 0.0_f64);
     for _ in 0..300 {
         let pins = drawn(&mut || numbers.next());
         let list = list(pins, BUDGET);
@@ -91,12 +93,21 @@ fn listed_poses_close_and_hold_the_drawing() {
             let [from, to] = assembly.between;
             assert!(from < assembly.unknown && assembly.unknown < to && assembly.room > 0.0);
             widest = widest.max(to - from);
+            // Where a search about it ends the dyad assembles, and twice as far it does not or meets another assembly's half.
+            let angles = |within: f64| [assembly.unknown - within, assembly.unknown + within];
+            let assembles = |angle: &f64| {
+                placed(pins, |placed| placed.missed(*angle, assembly.sides)).is_some()
+            };
+            assert!(angles(assembly.within).iter().all(assembles), "{assembly:?}");
+            let is_whole = assembly.within == assembly.room;
+            assert!(is_whole || !angles(2.0 * assembly.within).iter().all(assembles));
+            halved += usize::from(!is_whole);
             poses += 1;
         }
         let nearest = list.nearest(0.0).expect("the drawing is one");
         assert!(nearest.off < 1e-11, "{nearest:?}");
     }
-    assert!(poses > 800 && widest < 1e-6, "{poses}, {widest:e}");
+    assert!(poses > 800 && halved > 100 && widest < 1e-6, "{poses}, {halved}, {widest:e}");
 }
 
 #[derive(Debug, Default)]

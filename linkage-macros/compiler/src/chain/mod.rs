@@ -14,7 +14,7 @@
 //! messages. A result decides which groups there are and on which side they assemble, and no
 //! dimension of them.
 
-mod assemblies;
+pub(crate) mod assemblies;
 pub(crate) mod assembly_list;
 mod carried;
 mod choice;

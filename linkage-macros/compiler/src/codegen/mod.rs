@@ -31,6 +31,7 @@ pub(crate) mod tests;
 use proc_macro2::TokenStream;
 
 pub(crate) use docs::costs_in_words::{MOST, in_words};
+pub(crate) use rust::assembly_functions::{Listing, with_any};
 pub(crate) use rust::driving_sets::{DrivenSet, generate as generate_sets};
 
 use crate::lower::routine::Lowered;
@@ -44,14 +45,16 @@ pub(crate) struct Drawing<'a> {
     pub source: Option<&'a str>,
 }
 
-/// Everything that the declaration of a mechanism expands to; what it is drawn by only where that is
+/// Everything that the declaration of a mechanism expands to; what it is drawn by and lists of assemblies only where they are
 /// given, and records that serde writes and reads where they are to be serialised.
 pub(crate) fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
-    drawing: Option<&Drawing<'_>>,
+    (drawing, listing): (Option<&Drawing<'_>>, Option<&Listing<'_>>),
     is_serialised: bool,
 ) -> TokenStream {
     let drawing = drawing.map(|drawing| drawing::items(mechanism, lowered, drawing));
-    rust::generate(mechanism, lowered, drawing, is_serialised)
+    let listing = listing.map(|listing| rust::assembly_functions::items(mechanism, listing));
+    let beside = drawing.into_iter().chain(listing).collect();
+    rust::generate(mechanism, lowered, beside, is_serialised)
 }

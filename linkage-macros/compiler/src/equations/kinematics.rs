@@ -300,7 +300,7 @@ impl<'s> Kinematics<'s> {
     }
 
     /// True if everything in the expression has been placed.
-    fn is_known(&self, expr: &Scalar) -> bool {
+    pub(super) fn is_known(&self, expr: &Scalar) -> bool {
         match expr {
             Scalar::Constant(_)
             | Scalar::Input(_)

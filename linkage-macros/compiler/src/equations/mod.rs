@@ -21,6 +21,7 @@
 //! another, results whose terms cancel. They fix a direction better than a unit vector of the
 //! width can hold, so a large factor there stands before a small error.
 
+pub(crate) mod assembling;
 mod by_input;
 mod clearance;
 mod crank_pin;

@@ -63,7 +63,7 @@ impl<'s> Kinematics<'s> {
 
     /// The equation of an unknown that has this trial, the earlier ones being known. Its own steps
     /// refuse nothing where it is open.
-    fn of_trial(
+    pub(super) fn of_trial(
         inputs: Vec<InputMotion<'s>>,
         known: &Self,
         id: UnknownId,

@@ -101,6 +101,20 @@ pub(crate) fn lower_marks<'p>(mechanism: &Mechanism, program: &'p Program) -> Lo
     Lowered { program, interface, routines: vec![routine], entries, costs, clearances, searches }
 }
 
+/// The routine of the numbers by which assemblies are listed, which stand in front of every search.
+pub(crate) fn lower_pinned<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+    let interface = Interface::of(mechanism).limited_to(std::iter::empty());
+    let tried = tried(&program.graph);
+    let (locals, needs, searches) = (Locals::default(), Vec::new(), Vec::new());
+    let builder = Builder { program, interface, locals, searches, tried: &tried, needs };
+    let sinks = program.answers.iter().flat_map(|answer| answer.sinks.iter().copied());
+    let sinks: Vec<_> = sinks.collect();
+    let routine = builder.listing("pinned_", &[ArgumentKind::Value], Path::Slow, &sinks);
+    let Builder { interface, searches, .. } = builder;
+    let (entries, costs, clearances) = (Vec::new(), Vec::new(), None);
+    Lowered { program, interface, routines: vec![routine], entries, costs, clearances, searches }
+}
+
 /// The arguments of what acts.
 fn given_to_forces(mechanism: &Mechanism) -> Vec<ArgumentKind> {
     let drives = mechanism.dynamics.driven().map(|_| ArgumentKind::Drives);

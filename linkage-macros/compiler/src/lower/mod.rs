@@ -39,7 +39,7 @@ mod unique_root;
 pub(crate) mod used;
 mod witnesses;
 
-pub(crate) use build::{APPLIED, PLACED, lower, lower_marks, lower_placing};
+pub(crate) use build::{APPLIED, PLACED, lower, lower_marks, lower_pinned, lower_placing};
 pub(crate) use plan::stands_on;
 pub(crate) use routine::label;
 pub(crate) use searches::TRIAL;

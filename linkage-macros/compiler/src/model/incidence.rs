@@ -164,6 +164,13 @@ impl Group {
         self.outer.iter().chain(&self.inner)
     }
 
+    /// True for two bars with a pin between them, each on another pin.
+    pub(crate) fn is_of_bars(&self) -> bool {
+        let are_pinned = self.outer.iter().all(|joint| joint.point().is_some());
+        let have_lengths = self.lengths.iter().all(Option::is_some);
+        self.links.len() == 2 && self.pin.is_some() && are_pinned && have_lengths
+    }
+
     /// The point that the link with this index stands on.
     pub(crate) fn stands_on(&self, index: usize) -> PointId {
         self.outer[index].point().expect("its row has a revolute joint here")

@@ -65,6 +65,8 @@ pub(crate) struct Mechanism {
     pub crate_path: Option<syn::Path>,
     /// `export c;`
     pub export_c: bool,
+    /// The word by which lists of assemblies are asked for.
+    pub export_assemblies: Option<Ident>,
 }
 
 pub(crate) struct Point {
@@ -114,6 +116,7 @@ impl Mechanism {
             numerics: Numerics::Plain,
             crate_path: None,
             export_c: false,
+            export_assemblies: None,
         }
     }
 

@@ -25,6 +25,7 @@
 //! together by the theorem of cosines.
 
 pub(crate) mod acting;
+pub(crate) mod any_assembly;
 pub(crate) mod as_drawn;
 mod as_written;
 mod assembly;

@@ -299,7 +299,7 @@ impl Parser<'_> {
     }
 
     pub(super) fn export(&mut self) -> Parse<StatementKind> {
-        Ok(StatementKind::Export(ExportStatement { language: self.word("`c`")? }))
+        Ok(StatementKind::Export(ExportStatement { what: self.word("`c` or `assemblies`")? }))
     }
 
     pub(super) fn crate_path(&mut self) -> Parse<StatementKind> {

@@ -4,6 +4,7 @@
 //! Paths into the run-time crate are made in `paths`, and nowhere else.
 
 mod as_solver;
+pub(super) mod assembly_functions;
 mod autodiff;
 mod c_export;
 mod checked;
@@ -36,23 +37,22 @@ use self::context::Context;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 
-/// Everything that the declaration of a mechanism expands to; what it is drawn by only where that is
-/// given, and records that serde writes and reads where they are to be serialised.
+/// Everything that the declaration of a mechanism expands to, with what is `beside` the solver, and records that serde writes and reads where they are to be serialised.
 pub(super) fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
-    drawing: Option<TokenStream>,
+    beside: TokenStream,
     is_serialised: bool,
 ) -> TokenStream {
     let cx = Context::new(mechanism, lowered);
     let (solver, records) = (solver::definition(&cx), structs::definitions(&cx, is_serialised));
-    let implementations = implementations(&cx, drawing);
+    let implementations = implementations(&cx, &beside);
     module::around(&cx, &quote! { #solver #records #implementations })
 }
 
 /// All that is done with the structs, in an unnamed constant: what it imports meets no name of the
 /// user's, and its paths are short.
-fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStream {
+fn implementations(cx: &Context<'_>, beside: &TokenStream) -> TokenStream {
     let import = cx.paths.import_in_constant();
     let arguments = cx.paths.import_arguments(declared_arguments::all_names(&cx.signatures));
     let (solver, records) = (solver::implementation(cx), structs::implementations(cx));
@@ -93,7 +93,7 @@ fn implementations(cx: &Context<'_>, drawing: Option<TokenStream>) -> TokenStrea
             #dynamics
             #c_export
             #references
-            #drawing
+            #beside
         };
     }
 }

@@ -54,7 +54,7 @@ pub(crate) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {
 
 /// Everything that the program expands to.
 fn generate(mechanism: &Mechanism, program: &Program) -> TokenStream {
-    super::generate(mechanism, &lower(mechanism, program), None, false)
+    super::generate(mechanism, &lower(mechanism, program), (None, None), false)
 }
 
 /// The tokens with a doc attribute for every line, as a source has them.

@@ -24,7 +24,7 @@ impl Rules for CrateStatement {
 
 impl Rules for ExportStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
-        export(scope, &self.language);
+        export(scope, &self.what);
     }
 }
 
@@ -60,13 +60,20 @@ fn crate_path(scope: &mut Scope<'_>, path: &syn::Path) {
     scope.mechanism.crate_path = Some(path.clone());
 }
 
-/// The only language to export to is C.
-fn export(scope: &mut Scope<'_>, language: &Ident) {
-    if language != "c" {
-        let message = format!("no export named `{language}`; write `export c;`");
-        scope.diagnostics.error(language.span(), message);
-    } else if scope.mechanism.export_c {
-        scope.diagnostics.error(language.span(), "`export c` is given twice; remove one");
+/// Functions for C and the list of assemblies are exported, each once.
+fn export(scope: &mut Scope<'_>, what: &Ident) {
+    let is_given = match what.to_string().as_str() {
+        "c" => std::mem::replace(&mut scope.mechanism.export_c, true),
+        "assemblies" => scope.mechanism.export_assemblies.replace(what.clone()).is_some(),
+        _ => {
+            let message =
+                format!("no export named `{what}`; write `export c;` or `export assemblies;`");
+            scope.diagnostics.error(what.span(), message);
+            scope.mechanism.export_c = true;
+            return;
+        }
+    };
+    if is_given {
+        scope.diagnostics.error(what.span(), format!("`export {what}` is given twice; remove one"));
     }
-    scope.mechanism.export_c = true;
 }

@@ -287,8 +287,17 @@ fn settings_are_known_and_given_once() {
              errors of a dyad along and takes longer; without the statement they are plain",
         ),
         (CRANK, "crate = a; crate = b;", "b: `crate` is given twice; remove one"),
-        (CRANK, "export cpp;", "cpp: no export named `cpp`; write `export c;`"),
+        (
+            CRANK,
+            "export cpp;",
+            "cpp: no export named `cpp`; write `export c;` or `export assemblies;`",
+        ),
         (CRANK, "export c; export c;", "c#2: `export c` is given twice; remove one"),
+        (
+            CRANK,
+            "export assemblies; export c; export assemblies;",
+            "assemblies#2: `export assemblies` is given twice; remove one",
+        ),
     ]);
 }
 

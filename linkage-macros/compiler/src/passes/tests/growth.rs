@@ -39,7 +39,7 @@ fn sizes(groups: usize) -> [usize; 3] {
     let mechanism = mechanism(&chain(groups));
     let written = equations::derive(&mechanism, passes::RULES);
     let left = passes::optimise(&written);
-    let code = codegen::generate(&mechanism, &lower(&mechanism, &left), None, false);
+    let code = codegen::generate(&mechanism, &lower(&mechanism, &left), (None, None), false);
     [written.graph.len(), left.graph.len(), tokens(code)]
 }
 

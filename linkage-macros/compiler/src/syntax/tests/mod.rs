@@ -149,7 +149,7 @@ fn kind(kind: &StatementKind) -> String {
                 quote::ToTokens::to_token_stream(path).to_string().replace(' ', "")
             )
         }
-        StatementKind::Export(ExportStatement { language }) => format!("export {language}"),
+        StatementKind::Export(ExportStatement { what }) => format!("export {what}"),
         StatementKind::Load(LoadStatement { names, kind }) => {
             let kind = kind.as_ref().map_or("?".to_string(), ToString::to_string);
             format!("load {}: {kind}", list(names))

@@ -115,10 +115,10 @@ pub(crate) struct CrateStatement {
     pub path: syn::Path,
 }
 
-/// `export c;`
+/// `export c;` or `export assemblies;`
 #[derive(Clone)]
 pub(crate) struct ExportStatement {
-    pub language: Ident,
+    pub what: Ident,
 }
 
 /// `rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }`.
