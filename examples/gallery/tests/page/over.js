@@ -79,8 +79,16 @@
     }
     const values = document.querySelector(".scroll");
     if (values.scrollWidth > values.clientWidth) fault(`the table is ${values.scrollWidth - values.clientWidth} wider than its place`);
-    const [shown, axis, saves] = ["#shown", "#axis", "#csv"].map((id) => $(id).getBoundingClientRect());
-    if (saves.top > shown.bottom || axis.top > shown.bottom) fault("a line of controls is broken");
+    const boxesOf = (parent, kinds) => [...parent.querySelectorAll(kinds)].map((node) => node.getBoundingClientRect()).filter(({ width }) => width > 0);
+    for (const line of document.querySelectorAll(".head, .row, .hint, #status")) {
+      const { left, right } = line.getBoundingClientRect(), isOut = (box) => box.left < left - 1 || box.right > right + 1;
+      if (boxesOf(line, "button, select, span, .field").some(isOut)) fault(`${line.textContent.slice(0, 20)} is wider than its line`);
+    }
+    for (const group of document.querySelectorAll(".head > div")) {
+      const boxes = boxesOf(group, "button, select");
+      if (Math.max(...boxes.map(({ top }) => top)) > Math.min(...boxes.map(({ bottom }) => bottom))) fault("a line of controls is broken");
+    }
+    if (document.documentElement.scrollWidth > innerWidth) fault("the page is wider than its window");
   };
   addEventListener("load", () => setTimeout(() => {
     play(false);

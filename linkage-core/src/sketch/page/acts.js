@@ -76,7 +76,7 @@ const drawPicked = (pose, { motion }) => {
     const from = onPage(at), to = [from[0] + (vx / size) * length, from[1] - (vy / size) * length];
     trace(path, arrowTo(from, to));
     text.textContent = inScale(size, shownIn("m", order, size));
-    const wide = 6.7 * text.textContent.length;
+    const wide = roomOf(text);
     write(text, wide, [-6, 16, -22, 32].flatMap((dy) => [[to[0] + 6, to[1] + dy], [to[0] - 6 - wide, to[1] + dy]]));
   });
 };

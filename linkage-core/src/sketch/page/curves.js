@@ -296,7 +296,7 @@ const drawCursors = (now) => {
     });
     rest.textContent = chart.hasBand && now.holding ? `   at rest ${heldWords(now)}` : "";
     // On a phone a long line is written smaller.
-    const share = (chart.width - chart.left) / (6.6 * chart.legend.textContent.length), size = share < 1 ? `${short(12.5 * share)}px` : "";
+    const share = (chart.width - chart.left) / roomOf(chart.legend), size = share < 1 ? `${short(12.5 * share)}px` : "";
     if (chart.legend.style.fontSize !== size) chart.legend.style.fontSize = size;
   }
 };

@@ -21,6 +21,7 @@ const frame = () => {
     tellWorst();
   }
   drawPose();
+  if (drag?.isOnItsWay) follow();
   spent.push(performance.now() - begun);
   if (spent.length > 1000) spent.shift();
 };
@@ -42,9 +43,9 @@ const fit = () => {
   const [wide, high] = [Math.max(x1 - x0, 1e-3 * (y1 - y0), 1e-12), y1 - y0];
   const inner = clamp(((width - 2 * spare) * high) / wide + 2 * spare, least, most);
   const scale = Math.min((width - 2 * spare) / wide, (inner - 2 * spare) / Math.max(high, 1e-3 * wide));
-  // Below stands the scale.
+  // Below stands the scale. Letters are as wide as the page's font has a digit beside Arial's.
   // While the page around this one moves a point, the scale stands still.
-  Object.assign(view, { scale, width, height: inner + 16, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 }, globalThis.MOVED?.view);
+  Object.assign(view, { scale, width, height: inner + 16, letter: widthOf("0") / 6.4, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 }, globalThis.MOVED?.view);
   sample();
   build(poses);
   setAll();
@@ -152,11 +153,19 @@ on(figure, "pointermove", (event) => {
     return;
   }
   if (event.pointerId !== drag.pointer) return;
-  const to = place.map((part, k) => part + drag.offset[k]), { crank, point } = drag;
-  // A crank goes into a gap and out of it; any other joint is dragged on from the last pose that is whole.
-  const from = crank || !new Pose(state.q).error ? state.q : lastGood?.q ?? state.q;
-  go(crank ? turned(crank, point, to, from) : towards(point, to, from));
+  drag.to = place.map((part, k) => part + drag.offset[k]);
+  follow();
 });
+/// The dragged point goes to the pointer. Where it is still on its way, as behind a quick hand, the next frame goes on.
+const follow = () => {
+  const { to, crank, point } = drag, { q } = state;
+  // A crank goes into a gap and out of it; any other joint is dragged on from the last pose that is whole.
+  if (crank) return go(turned(crank, point, to, q));
+  const pose = new Pose(q), next = towards(point, to, pose.error ? lastGood?.q ?? q : q);
+  const [before, behind] = [pose, new Pose(next)].map((pose) => pose.point(point));
+  go(next);
+  drag.isOnItsWay = before && behind && apart(before, behind) * view.scale > 0.5;
+};
 for (const end of ["pointerup", "pointercancel"]) {
   on(figure, end, ({ pointerId }) => {
     if (pointerId !== drag?.pointer) return;

@@ -33,7 +33,7 @@ const show = (node, isShown, spot) => {
 };
 
 /// From metres to pixels, y up and y down.
-const view = { scale: 100, x: 0, y: 0, width: 700, height: 480 };
+const view = { scale: 100, x: 0, y: 0, width: 700, height: 480, letter: 1 };
 const onPage = ([x, y]) => [view.x + view.scale * x, view.y - view.scale * y];
 const degreesOf = ({ cos, sin }) => (-atan2(sin, cos) * 180) / Math.PI;
 const seatOf = (frame) => `${shiftTo(onPage(frame.at))} rotate(${short(degreesOf(frame))})`;

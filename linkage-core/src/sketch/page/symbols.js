@@ -101,7 +101,7 @@ const drawGround = (poses) => {
 /// Offsets of the names from their points: of eight sides, near and far, one that is clear of bars, joints and
 /// other names in most poses. Where it is not, the name goes elsewhere.
 const offsets = [];
-const halfOf = (point) => 3.8 * PLAN.points[point].length + 1.5;
+const halfOf = (point) => 3.8 * view.letter * PLAN.points[point].length + 1.5;
 const seenIn = (pose, bodies, arrows) => ({
   lines: [...linesOf(bodies), ...arrows.filter(({ to }) => to).map(({ from, to }) => [from, to, 3])],
   spots: PLAN.points.map((_, point) => {
@@ -154,6 +154,7 @@ const crowding = ({ spots, lines }, point, [dx, dy]) => {
 /// The texts of a frame: left ends, baselines and widths. A text goes to the first spot where it lies on no other
 /// one, and is hidden where there is none.
 let texts = [];
+const roomOf = ({ textContent }) => 6.7 * view.letter * textContent.length;
 const write = (node, wide, spots) => {
   const spot = spots.map(([x, y]) => [clamp(x, 4, view.width - wide - 4), clamp(y, 14, view.height - 26)])
     .find(([x, y]) => texts.every(([u, v, its]) => x > u + its || u > x + wide || Math.abs(y - v) > 15));
@@ -225,8 +226,8 @@ const drawGap = (pose) => {
   trace(nodes.missing, ends && pathOf(ends));
   nodes.missingWords.textContent = ends ? `${words(error.by, "m")} missing` : "";
   if (!ends) return;
-  const [x, y] = ends[0].map((part, k) => (part + ends[1][k]) / 2);
-  write(nodes.missingWords, 120, [-10, 22, -28, 40].flatMap((dy) => [[x + 10, y + dy], [x - 130, y + dy]]));
+  const [x, y] = ends[0].map((part, k) => (part + ends[1][k]) / 2), wide = roomOf(nodes.missingWords);
+  write(nodes.missingWords, wide, [-10, 22, -28, 40].flatMap((dy) => [[x + 10, y + dy], [x - 10 - wide, y + dy]]));
 };
 
 /// A circle about its pivot, or the line along which a block's pin goes.
@@ -282,7 +283,7 @@ const drawForceScale = (most, [unit, times]) => {
   const round = roundBelow(largestForce * times);
   const length = (round / times / largestForce) * most, y = view.height - 14, right = view.width - 16;
   nodes.forceWords.textContent = withUnit(digits(round, 1), unit);
-  const wide = 6.7 * nodes.forceWords.textContent.length, x = right - wide - 8;
+  const wide = roomOf(nodes.forceWords), x = right - wide - 8;
   trace(nodes.forceScale, arrowTo([x - length, y], [x, y]));
   show(nodes.forceWords, true, [x + 8, y + 4]);
   return x - length;
@@ -312,7 +313,7 @@ const arrowsOf = (answers) => {
 const tellForce = ({ text, effort }, pose, number, [x, y], isLeft) => {
   const pins = [...used].map((point) => pose.point(point)).filter((at) => at).map(onPage);
   text.textContent = effort ? `${effort} ${number}` : number;
-  const wide = 6.7 * text.textContent.length, sides = [x + 6, x - 6 - wide];
+  const wide = roomOf(text), sides = [x + 6, x - 6 - wide];
   if (isLeft) sides.reverse();
   const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, y + dy]));
   const isOnPin = ([x, y]) => pins.some(([u, v]) => Math.abs(u - x - wide / 2) < wide / 2 + 7 && Math.abs(v - y + 4) < 12);

@@ -1,7 +1,7 @@
 // The way of a stranger with real pointers and keys, and the same by keyboard alone. `node way.cjs PLAY.html FOLDER mouse|keys`
 // tells what failed, and leaves the C sources in the folder beside the numbers that the page shows.
 const fs = require("fs"), path = require("path");
-const { chromium } = require(process.env.LINKAGE_NODE ? `${process.env.LINKAGE_NODE}/playwright-core` : "playwright-core");
+const { chromium } = require("playwright-core");
 const [, , file, folder, kind] = process.argv, isKeys = kind === "keys";
 const failures = [], expect = (isMet, ...words) => { if (!isMet) failures.push(words.join(" ")); };
 

@@ -34,7 +34,9 @@ int main(int count, char **angles) {
 /// The folder of what npm has installed.
 fn modules() -> Option<PathBuf> {
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/node/node_modules");
-    let folder = std::env::var_os("LINKAGE_NODE").map_or(own, PathBuf::from);
+    // The variable names a folder, or says that node is required.
+    let named = std::env::var_os("LINKAGE_NODE").map(PathBuf::from);
+    let folder = named.filter(|folder| folder.is_dir()).unwrap_or(own);
     folder.join("axe-core").is_dir().then_some(folder)
 }
 
