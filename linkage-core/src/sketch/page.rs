@@ -4,7 +4,9 @@
 //! `kernels.js`, `limit.js` and `checks.js` compute and decide as the crate does, `roots.js` and `survey.js`
 //! search and `friction.js` solves for friction as it does, `pose.js` reads the results, `drag.js` finds the
 //! inputs of a dragged point; nothing of this touches the document. `picture.js`, `symbols.js`, `curves.js`,
-//! `acts.js`, `marks.js`, `tolerance.js`, `controls.js` and `page.js` do.
+//! `acts.js`, `controls.js` and `page.js` do. What only some machines have stands in files that only their pages
+//! have, `slides.js`, `springs.js`, `forces.js`, `marks.js`, `held.js`, `run.js`, `tolerance.js`, `defaults.js`,
+//! `modes.js`, `sets.js` and `ranges.js`: `assembled.rs` says when.
 
 mod assembled;
 mod declared;
@@ -57,11 +59,11 @@ use crate::Record;
 /// machine can be assembled, which the page finds. Velocities,
 /// accelerations and forces are those at a constant rate of the input that curves are drawn over. Reactions, loads,
 /// weights and the drives that are outputs are arrows to one scale, couples arcs to another; both stand at the foot of
-/// the picture. Masses have the symbol of a centre of mass, and cranks that are coupled by a ratio their pitch circles. The numbers
-/// are the solver's to the last bit, but for `tan`, `exp`, `ln`, `tanh` and `pow`: those are the browser's, whose
-/// last bits may differ. On targets with fused operations the solver itself rounds otherwise. An `unknown` is
-/// searched as the solver searches it. Of a machine with several sets of inputs a reader chooses which one drives; the pose
-/// stays, unless it is another assembly of the other set, which the page says.
+/// the picture. Masses have the symbol of a centre of mass, and cranks that are coupled by a ratio
+/// their pitch circles. The numbers are the solver's to the last bit, but for `tan`, `exp`, `ln`, `tanh` and `pow`: those
+/// are the browser's, whose last bits may differ. On targets with fused operations the solver itself rounds otherwise. An
+/// `unknown` is searched as the solver searches it. Of a machine with several sets of inputs a reader chooses which one
+/// drives; the pose stays, unless it is another assembly of the other set, which the page says.
 #[derive(Clone, Debug)]
 pub struct Page<S> {
     solver: S,

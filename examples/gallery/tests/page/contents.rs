@@ -48,6 +48,31 @@ fn a_page_holds_what_its_machine_needs() {
     }
 }
 
+/// Guides, springs, forces, motion without a drive, parameters, words to choose, and ends of sliders that the page finds
+/// come with the machines that have them.
+#[test]
+fn a_page_shows_with_what_its_machine_has() {
+    let pages = gallery::live::pages().unwrap();
+    let parts = ["carriedBy", "zigzag", "drawForces", "later", "tolerate", "choice", "travelOf"];
+    for (name, own) in [
+        ("four_bar::FourBar", &[][..]),
+        ("electronic_cam::FlyingShear", &[]),
+        ("whitworth::Whitworth", &["carriedBy", "tolerate"]),
+        (
+            "vibration::Oscillator",
+            &["carriedBy", "zigzag", "drawForces", "later", "tolerate", "travelOf"],
+        ),
+        ("counterweight::FourBar", &["drawForces", "later", "tolerate", "travelOf"]),
+        ("six_bar_reactions::SixBar", &["carriedBy", "drawForces", "later"]),
+        ("dead_point::ByLeft", &["drawForces", "later", "tolerate", "choice"]),
+    ] {
+        let (_, html) = pages.iter().find(|(page, _)| *page == name).unwrap();
+        let found = parts.map(|part| html.contains(&format!("{part}=("))).into_iter().zip(parts);
+        let found: Vec<_> = found.filter_map(|(is_there, part)| is_there.then_some(part)).collect();
+        assert_eq!(found, own, "{name}");
+    }
+}
+
 /// A search that fails is made once: what stands is found by its answer.
 #[test]
 fn a_failed_search_is_made_once() {

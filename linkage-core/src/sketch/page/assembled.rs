@@ -16,36 +16,47 @@ use crate::sketch::svg::escaped;
 pub(super) const ARITHMETIC: [&str; 3] =
     [include_str!("kernels.js"), include_str!("limit.js"), include_str!("checks.js")];
 
-/// The files of the search for an unknown, which a page without one does without.
+/// The files of the search for an unknown.
 pub(super) const SEARCH: [&str; 2] = [include_str!("roots.js"), include_str!("survey.js")];
 
-/// The file that solves for friction, which a page of a machine without any does without.
+/// The file that solves for friction.
 pub(super) const FRICTION: [&str; 1] = [include_str!("friction.js")];
 
 /// The files that read the results, without a document.
-pub(super) const READS: [&str; 4] = [
-    include_str!("words.js"),
-    include_str!("pose.js"),
-    include_str!("drag.js"),
-    include_str!("ranges.js"),
-];
+pub(super) const READS: [&str; 3] =
+    [include_str!("words.js"), include_str!("pose.js"), include_str!("drag.js")];
+
+/// The file that finds ends of sliders, where the page is told none.
+pub(super) const RANGES: [&str; 1] = [include_str!("ranges.js")];
 
 /// The files of all that a reader sees and sets.
-pub(super) const SHOWS: [&str; 7] = [
+pub(super) const SHOWS: [&str; 5] = [
     include_str!("picture.js"),
     include_str!("symbols.js"),
     include_str!("curves.js"),
     include_str!("acts.js"),
-    include_str!("tolerance.js"),
     include_str!("controls.js"),
-    include_str!("page.js"),
 ];
 
-/// The file of a choice between sets of inputs, which a page of a machine with one does without.
-pub(super) const SETS: [&str; 1] = [include_str!("sets.js")];
+/// The files that only pages of some machines have, each with what stands in these machines' constants.
+pub(super) const PARTS: [(&[&str], &str); 10] = [
+    (&["const SETS"], include_str!("sets.js")),
+    (&["\nmarks: "], include_str!("marks.js")),
+    (&["\nforces: ", "\nappliedAt: ", "\nmarks: "], include_str!("forces.js")),
+    (
+        &["guides:[\"", "\"block\"", "\"sleeve\"", "\"cylinder\"", "\"slotted_bar\"", "\"yoke\""],
+        include_str!("slides.js"),
+    ),
+    (&["springs:[{"], include_str!("springs.js")),
+    (&["\nholding: "], include_str!("held.js")),
+    (&["params:[{"], include_str!("tolerance.js")),
+    (&["params:[{"], include_str!("defaults.js")),
+    (&["words:["], include_str!("modes.js")),
+    (&["_dynamics: "], include_str!("run.js")),
+];
 
-/// The file of masses, couples, wheels and drives, which a page of a machine without any does without.
-pub(super) const MARKS: [&str; 1] = [include_str!("marks.js")];
+/// The file that begins the page, behind all others.
+pub(super) const BEGINS: [&str; 1] = [include_str!("page.js")];
 
 /// A mechanism as its page has it.
 #[derive(Clone, Copy, Debug)]
@@ -147,15 +158,19 @@ fn wanted((output, pairs): &(String, Vec<[f64; 2]>)) -> String {
 fn written([name, docs]: [&str; 2], consts: &str, wishes: &Wishes) -> String {
     let spaced = spaced(name);
     let title = wishes.title.as_deref().unwrap_or(&spaced);
-    let where_called = |call: &str, files: &'static [&'static str]| {
-        if consts.contains(call) { files } else { &[] }
-    };
-    let (search, friction) =
-        (where_called("c.root(", &SEARCH), where_called("amountsOf(", &FRICTION));
-    let parts = [&ARITHMETIC[..], search, friction, &READS];
+    let has = |found: &str| consts.contains(found);
+    let where_has =
+        |found: &str, files: &'static [&'static str]| if has(found) { files } else { &[] };
+    let (search, friction, ranges) = (
+        where_has("c.root(", &SEARCH),
+        where_has("amountsOf(", &FRICTION),
+        where_has("from:NaN", &RANGES),
+    );
+    let parts = [&ARITHMETIC[..], search, friction, &READS, ranges];
     let computes = format!("\"use strict\";\n{consts}{}", squeeze::script(&parts.concat()));
-    let (sets, marks) = (where_called("const SETS", &SETS), where_called("\nmarks: ", &MARKS));
-    let shown = [sets, marks, &SHOWS].concat();
+    let own = PARTS.iter().filter(|(found, _)| found.iter().any(|found| has(found)));
+    let own: Vec<_> = own.map(|(_, file)| *file).collect();
+    let shown = [&SHOWS, &own[..], &BEGINS].concat();
     let shows = format!("\"use strict\";\n{}", squeeze::script(&shown));
     filled(&[
         ("style", &squeeze::style(include_str!("page.css"))),

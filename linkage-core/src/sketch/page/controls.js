@@ -18,7 +18,7 @@ const slider = (into, id, { name, docs, unit }, shown, change, settle) => {
   describe(line, id, docs, input, field);
   const set = (x, { from, to } = {}) => {
     // What was typed beyond the ends is not cut off.
-    if (from !== undefined) Object.assign(input, { min: Math.min(from, x), max: Math.max(to, x) });
+    if (from !== undefined) Object.assign(input, { min: min(from, x), max: max(to, x) });
     else if (x < +input.min) input.min = x;
     else if (x > +input.max) input.max = x;
     if (+input.value !== x) input.value = x;
@@ -53,29 +53,14 @@ const slider = (into, id, { name, docs, unit }, shown, change, settle) => {
   return set;
 };
 
-/// A choice between two words. Returns a function that sets it to +1 or −1.
-const choice = (into, { name, docs, words: both }, change) => {
-  const line = row(into);
-  entitle(element("span", {}, line), name);
-  const set = element("fieldset", { ariaLabel: name }, line);
-  const buttons = both.map((word, k) => {
-    const label = element("label", {}, set), button = element("input", { type: "radio", name, value: k ? -1 : 1 }, label);
-    element("span", { textContent: word }, label);
-    return button;
-  });
-  describe(line, `param_${name}`, docs, set);
-  on(set, "change", ({ target }) => change(+target.value));
-  return (sign) => buttons.forEach((button) => button.checked = +button.value === sign);
-};
-
 const ownUnit = ({ unit, size }) => [unit === "1" ? "" : unit === "deg" ? "°" : unit, 1 / size];
-const mostOf = ({ from, to }) => Math.max(Math.abs(from), Math.abs(to));
+const mostOf = ({ from, to }) => max(abs(from), abs(to));
 const shownRate = () => {
   const { isAngle, unit } = inputs[state.axis];
   return isAngle ? ["rpm", 60 / TURN] : shownIn(unit, 1, mostRate());
 };
 /// The largest rate of the slider.
-const mostRate = () => 4 * Math.abs(inputs[state.axis].rate || 1);
+const mostRate = () => 4 * abs(inputs[state.axis].rate || 1);
 
 /// Builds all controls. `changed` is told what has to be drawn anew.
 const setters = {};
@@ -130,63 +115,20 @@ const setAll = () => {
 const declaration = (() => {
   const [first, ...rest] = PAGE.text.split("\n");
   const indents = rest.filter((line) => line.trim()).map((line) => line.search(/\S/));
-  const indent = Math.min(...indents, Infinity);
+  const indent = min(...indents, Infinity);
   return [first, ...rest.map((line) => line.slice(isFinite(indent) ? indent : 0))].join("\n");
 })();
 
-/// A number and its unit, if this is what is written.
-const literalIn = (written) => /^(-?\s*[\d_.]+(?:[eE][-+]?\d+)?)(\s*(?:[a-zA-Z]+|\([^()]*\)))?$/.exec(written.trim());
-
-/// The default of a parameter as the declaration would write its present value.
-const asWritten = (param, value, written) => {
-  if (param.words) return param.words[value > 0 ? 0 : 1];
-  const literal = literalIn(written), inUnits = literal && value / (literal[2] ? param.size : 1);
-  return literal ? `${+inUnits.toPrecision(6)}${literal[2] ?? ""}` : `${+value.toPrecision(6)}`;
-};
-
-/// The statement `param name = default;` of the text, outside comments: where its default begins and ends.
-const defaultOf = (text, name) => {
-  for (const found of text.matchAll(new RegExp(`\\bparam\\s+(?:r#)?${name}\\s*(?::\\s*\\w+\\s*)?=\\s*`, "gu"))) {
-    const lineStart = text.lastIndexOf("\n", found.index) + 1, start = found.index + found[0].length;
-    if (!text.slice(lineStart, found.index).includes("//")) return [start, text.indexOf(";", start)];
-  }
-  return null;
-};
-
-/// The text in pieces, the defaults that are not the declaration's among them.
-const declared = () => {
-  const changes = params.map((param, k) => {
-    const found = defaultOf(declaration, param.name);
-    if (!found) return null;
-    const written = declaration.slice(...found), now = asWritten(param, state.p[k], written);
-    const isSame = param.words ? now === written.trim() : asWritten(param, valueWritten(param, written), written) === now;
-    return isSame ? null : { from: found[0], to: found[1], now };
-  }).filter(Boolean).sort((a, b) => a.from - b.from);
-  const pieces = [];
-  let at = 0;
-  for (const { from, to, now } of changes) {
-    pieces.push([declaration.slice(at, from), false], [now, true]);
-    at = to;
-  }
-  return [...pieces, [declaration.slice(at), false]];
-};
-
-/// The value that a literal means; none of any other expression, whose parameter counts as changed only if the
-/// reader changed it.
-const valueWritten = (param, written) => {
-  const literal = literalIn(written);
-  return literal ? parseFloat(literal[1].replace(/[_ ]/g, "")) * (literal[2] ? param.size : 1) : param.value;
-};
-
 const KEYWORDS = /^(\s*)(pub struct|struct|input|param|load|let|ground|guide|crank|slider|rrr|rrp|rpr|prp|rpp|point|pin|link|drive|gravity|mass|force|torque|spring|friction|stop|unknown|solve|numerics|export|output)\b/gm;
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
+const declaredNow = () => (params.length ? declared() : [[declaration]]);
 const showDeclaration = () => {
-  const html = declared().map(([text, isChanged]) => (isChanged ? `<mark>${escaped(text)}<\/mark>` : escaped(text))).join("");
+  const html = declaredNow().map(([text, isChanged]) => (isChanged ? `<mark>${escaped(text)}<\/mark>` : escaped(text))).join("");
   $("#code").innerHTML = html.replace(/\/\/[^\n]*/g, "<em>$&<\/em>").replace(KEYWORDS, "$1<b>$2<\/b>");
 };
 
 const copyDeclaration = async () => {
-  const text = declared().map(([piece]) => piece).join("");
+  const text = declaredNow().map(([piece]) => piece).join("");
   try {
     await navigator.clipboard.writeText(text);
   } catch {

@@ -15,7 +15,7 @@ const sample = () => {
   samples = stepped(STEPS, domain(), (x) => ({ x, ...answersAt(new Pose(withInput(state.axis, x))) }));
   running = held;
   setScales();
-  largestForce = Math.max(0, ...samples.flatMap((answers) => forcesIn(answers).map(([, force]) => Math.hypot(...(force ?? [])))));
+  if (hasForces) sampleForces();
   if (MACHINE.marks) sampleCouples();
 };
 
@@ -23,7 +23,7 @@ const grouped = (list, keyOf) => [...new Set(list.map(keyOf))].map((key) => list
 /// The largest number that a chart of these rows shows.
 const largestOf = (list, valueAt) => {
   const range = rangeOf(samples.flatMap((answers) => list.map((entry) => valueAt(entry, answers))), 0);
-  return Math.max(...range.map(Math.abs));
+  return max(...range.map(abs));
 };
 
 /// The extent of the machine, by which its lengths are shown.
@@ -43,7 +43,7 @@ const setScales = () => {
   for (const order of [0, 1, 2]) set(rows, (row, { motion }) => (motion ? valueOf(row, order, motion) : NaN), order, ({ output }) => output);
   set(efforts, (row, { forces }) => (forces ? forces[efforts.indexOf(row)] : NaN), 0, ({ effort }) => effort);
   const held = largestOf([0, 1], (end, { holding }) => (holding ? holding[end] : NaN)), row = efforts.find(({ effort }) => effort === driven);
-  const most = Math.max(held, row ? largestOf([row], (row, { forces }) => (forces ? forces[efforts.indexOf(row)] : NaN)) : 0);
+  const most = max(held, row ? largestOf([row], (row, { forces }) => (forces ? forces[efforts.indexOf(row)] : NaN)) : 0);
   holds.scales[0] = { shown: shownIn(holds.unit, 0, most), noise: most };
   if (row && MACHINE.holding) row.scales[0] = holds.scales[0];
 };
@@ -64,7 +64,7 @@ const driven = `${inputs[0].name}.drive`;
 const holds = { unit: inputs[0].isAngle ? "N·m" : "N", scales: [] };
 
 /// A number of a row in the unit of its scale.
-const shownOf = (x, { shown: [, times], noise }) => (Math.abs(x) < 1e-9 * noise ? 0 : x * times);
+const shownOf = (x, { shown: [, times], noise }) => (abs(x) < 1e-9 * noise ? 0 : x * times);
 
 /// The charts of an output or a force: one for each order and unit. Charts of drives stand below.
 const chartsOf = (name) => {
@@ -134,8 +134,8 @@ const roundNumbers = ([from, to], count) => {
 /// The words of round numbers that are so far apart.
 const tickWords = (x, step) => {
   const tens = Math.floor(Math.log10(step)), rounded = Math.round(x / step) * step;
-  if (tens < -5 || Math.abs(x) >= 1e6) return digits(Math.abs(x) < 1e-9 * step ? 0 : x, 3);
-  const decimals = [0, 1, 2, 3, 4, 5, 6].find((d) => Math.abs(step * 10 ** d - Math.round(step * 10 ** d)) < 1e-6) ?? 6;
+  if (tens < -5 || abs(x) >= 1e6) return digits(abs(x) < 1e-9 * step ? 0 : x, 3);
+  const decimals = [0, 1, 2, 3, 4, 5, 6].find((d) => abs(step * 10 ** d - Math.round(step * 10 ** d)) < 1e-6) ?? 6;
   return rounded.toFixed(decimals).replace("-", "−").replace(/^−(0\.?0*)$/, "$1");
 };
 /// Angles that do not jump by a turn.
@@ -158,8 +158,8 @@ const rangeOf = (values, margin = 0.06) => {
   const isWild = outer > 3 * inner && inner > 0;
   const [from, to] = isWild ? [at(0.02) - 0.5 * inner, at(0.98) + 0.5 * inner] : [at(0), at(1)];
   // What changes by rounding alone is constant.
-  const isConstant = to - from <= 1e-9 * Math.max(Math.abs(from), Math.abs(to));
-  const spare = isConstant && margin ? 0.1 * Math.abs(to) || 1 : margin * (to - from);
+  const isConstant = to - from <= 1e-9 * max(abs(from), abs(to));
+  const spare = isConstant && margin ? 0.1 * abs(to) || 1 : margin * (to - from);
   return [from - spare, to + spare];
 };
 
@@ -174,7 +174,7 @@ const widthOf = (text) => {
 const prepared = (chart) => {
   const values = chart.series.map(({ of, isAngle }) => (isAngle ? unrolled : (list) => list)(samples.map(of)));
   // A row that is zero throughout is left out, unless all are.
-  const isZero = (list) => list.every((x) => !(Math.abs(x) > 0));
+  const isZero = (list) => list.every((x) => !(abs(x) > 0));
   const isShown = values.map((list) => !isZero(list) || values.every(isZero));
   const bands = samples.map(({ holding }) => (chart.hasBand && holding?.map((x) => shownOf(x, holds.scales[0]))) || null);
   const before = isBeside() ? chart.series.map(({ of, isAngle }) => (isAngle ? unrolled : (list) => list)(kept.samples.map(of))) : [];
@@ -182,7 +182,7 @@ const prepared = (chart) => {
   const range = rangeOf([...values, ...before].filter((_, k) => isShown[k % values.length]).concat(bands.filter(Boolean), aims.map(([, y]) => y)).flat());
   const [levels, step] = roundNumbers(range, 4), marks = levels.map((y) => [y, tickWords(y, step)]);
   const isFlat = !!chart.isMotion && values.every((list) => isZero(list) && list.some(isFinite)), [unit] = chart.scale().shown;
-  const room = Math.max(...[...marks.map(([, text]) => text), unit].map(widthOf)) + 14;
+  const room = max(...[...marks.map(([, text]) => text), unit].map(widthOf)) + 14;
   return Object.assign(chart, { values, before, aims, isShown, bands, range, marks, isFlat, unit, room });
 };
 
@@ -210,33 +210,17 @@ const drawChart = (chart, width, left) => {
   chart.lines.forEach((line, k) => trace(line, isShown[k] ? lineThrough(values[k].map(spot)) : ""));
   chart.olds.forEach((line, k) => trace(line, before[k] && isShown[k] ? lineThrough(before[k].map(spot)) : ""));
   trace(chart.wanted, crossesAt(chart.aims.map(([x, y]) => [X(x), Y(y)])));
-  trace(chart.band, areaBetween(bands.map((ends, n) => ends && ends.map((y) => spot(y, n)))));
+  if (chart.hasBand) trace(chart.band, areaBetween(bands.map((ends, n) => ends && ends.map((y) => spot(y, n)))));
   const [x, y, anchor] = isSlim ? [left, 34, "start"] : [width - right, 15, "end"];
   put(chart.title, { x: left, y: 15 });
   put(chart.legend, { x, y, "text-anchor": anchor });
-};
-
-/// Lines between pairs of spots, there and back, interrupted where there is none.
-const areaBetween = (pairs) => {
-  let d = "", way = [];
-  for (const pair of [...pairs, null]) {
-    if (pair) way = [pair[0], ...way, pair[1]];
-    else [d, way] = [d + pathOf(way, true), []];
-  }
-  return d;
-};
-
-const heldWords = ({ holding }) => {
-  if (!holding) return "–";
-  const { shown: [unit, times], noise } = holds.scales[0];
-  return withUnit(holding.map((x) => digits(Math.abs(x) < 1e-9 * noise ? 0 : x * times)).join(" … "), unit);
 };
 
 /// Bands where the machine cannot be assembled.
 const gapsIn = ({ X, top, bottom, height }) => {
   let d = "", start = null;
   samples.forEach(({ x, pose }, k) => {
-    if (pose.error && start === null) start = samples[Math.max(k - 1, 0)].x;
+    if (pose.error && start === null) start = samples[max(k - 1, 0)].x;
     if (start === null || (pose.error && k < STEPS)) return;
     d += `M${short(X(start))} ${top}H${short(X(x))}V${height - bottom}H${short(X(start))}Z`;
     start = null;
@@ -259,8 +243,8 @@ const drawTicks = ({ X, Y, ticks, grid, zero, left, right, bottom, width, height
   trace(zero, range[0] < 0 && range[1] > 0 ? across(0) : "");
   for (const [y, words] of marks) text(words, left - 7, Y(y) + 4, "end");
   if (unit) text(unit, left - 7, 15, "end");
-  const input = inputs[state.axis], [from, to] = domain(), [name, times] = shownIn(input.unit, 0, Math.max(Math.abs(from), Math.abs(to)));
-  const isTurn = input.isAngle && name === "°" && Math.abs(to - from - TURN) < 1e-9, parts = width < 420 ? 4 : 8;
+  const input = inputs[state.axis], [from, to] = domain(), [name, times] = shownIn(input.unit, 0, max(abs(from), abs(to)));
+  const isTurn = input.isAngle && name === "°" && abs(to - from - TURN) < 1e-9, parts = width < 420 ? 4 : 8;
   const [places, apart] = isTurn
     ? [Array.from({ length: parts + 1 }, (_, k) => (360 / parts) * k + from * times), 45]
     : roundNumbers([from * times, to * times], parts - 1);
@@ -356,7 +340,7 @@ const tellValues = (now) => {
   told = time;
   const then = kept && !running && answersOf(kept, state.q);
   for (const [cell, of] of cells) cell.textContent = of(now, then);
-  tellTolerances();
+  if (params.length) tellTolerances();
 };
 
 /// The samples as a table of comma-separated values in SI units, under the state that they belong to.

@@ -1,5 +1,7 @@
 // Which inputs bring a dragged point where the pointer is.
 
+const withOne = (q, k, x) => q.map((own, n) => (n === k ? x : own));
+
 /// The crank of the ground that carries a point, and the input that turns it by how much; none for any other
 /// point, and for a crank that an equation turns. An input is found by what a little of it does, either way.
 const crankOf = (point) => {
@@ -13,11 +15,10 @@ const crankOf = (point) => {
   };
   for (const k of inputs.keys()) {
     const ratios = [1e-3, -1e-3].map((step) => {
-      const moved = state.q.map((x, n) => (n === k ? x + step : x));
-      return nearest(angle(moved) - angle(state.q)) / step;
+      return nearest(angle(withOne(state.q, k, state.q[k] + step)) - angle(state.q)) / step;
     });
     const [ratio, back] = ratios;
-    if (Math.abs(ratio) > 1e-3 && Math.abs(ratio - back) < 1e-6) return { ...crank, input: k, ratio };
+    if (abs(ratio) > 1e-3 && abs(ratio - back) < 1e-6) return { ...crank, input: k, ratio };
   }
   return null;
 };
@@ -29,10 +30,10 @@ const nearest = (angle) => angle - TURN * Math.round(angle / TURN);
 const turned = (crank, point, [x, y], q) => {
   const pose = new Pose(q), [px, py] = pose.point(crank.pivot), [bx, by] = pose.point(point);
   const angle = nearest(atan2(y - py, x - px) - atan2(by - py, bx - px));
-  return q.map((value, k) => (k === crank.input ? value + angle / crank.ratio : value));
+  return withOne(q, crank.input, q[crank.input] + angle / crank.ratio);
 };
 
-const clamp = (x, from, to) => Math.min(Math.max(x, from), to);
+const clamp = (x, from, to) => min(max(x, from), to);
 const within = (x, { turns, from, to }) => (turns ? x : clamp(x, from, to));
 const sizeOf = ({ from, to }) => to - from;
 
@@ -41,7 +42,7 @@ const movesBy = (point, q, at) =>
   inputs.map((input, k) => {
     const step = 1e-6 * sizeOf(input);
     for (const h of [step, -step]) {
-      const pose = new Pose(q.map((x, n) => (n === k ? x + h : x)));
+      const pose = new Pose(withOne(q, k, q[k] + h));
       const to = !pose.error && pose.point(point);
       if (to) return [(to[0] - at[0]) / h, (to[1] - at[1]) / h];
     }
@@ -80,8 +81,8 @@ const towards = (point, place, q) => {
   const square = ([x, y]) => x * x + y * y;
   for (let round = 0; round < 6; round++) {
     const e = missing(pose), steps = change(movesBy(point, pose.q, pose.point(point)), e, pose.q);
-    const longest = inputs.map((input) => (input.isAngle ? Math.PI / 9 : 0.15 * sizeOf(input)));
-    let share = Math.min(1, ...steps.map((step, k) => longest[k] / Math.max(Math.abs(step), 1e-12)));
+    const longest = inputs.map((input) => (input.isAngle ? PI / 9 : 0.15 * sizeOf(input)));
+    let share = min(1, ...steps.map((step, k) => longest[k] / max(abs(step), 1e-12)));
     const least = share / 40;
     const tried = () => new Pose(pose.q.map((x, k) => within(x + share * steps[k], inputs[k])));
     const isNearer = (next) => !next.error && square(missing(next)) < square(e) * (1 - 1e-6);

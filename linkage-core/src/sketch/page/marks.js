@@ -3,7 +3,7 @@
 const { masses, weigh, couples, wheels, drives } = MACHINE.marks ?? { masses: 0, couples: [], wheels: [], drives: [] };
 const MASSES = weigh ? 2 : 0, COUPLES = MASSES + 3 * masses, WHEELS = COUPLES + couples.length, WEIGHTS = weigh ? masses : 0;
 /// The radius of couples' arcs, those of drives being larger beside others, and half the angle of the largest.
-const ARC = 26, WIDEST = 0.75 * Math.PI;
+const ARC = 26, WIDEST = 0.75 * PI;
 let largestCouple = 0;
 
 const listOf = (count, of) => Array.from({ length: count }, (_, k) => of(k));
@@ -28,7 +28,7 @@ const couplesIn = ({ pose, marked, forces }) => [
   ...turns.map(({ k, turn }) => [pose.point(turn), forces?.[k]]),
 ];
 const sampleCouples = () => {
-  largestCouple = Math.max(0, ...samples.flatMap((answers) => couplesIn(answers).map(([, couple]) => Math.abs(couple ?? 0))));
+  largestCouple = max(0, ...samples.flatMap((answers) => couplesIn(answers).map(([, couple]) => abs(couple ?? 0))));
 };
 
 /// The arc of a couple, anticlockwise where it is positive, as wide as it is large.
@@ -38,7 +38,7 @@ const arcAbout = ([x, y], radius, couple) => {
 };
 /// The arcs of couples on the page, empty where one is too small to be seen.
 const arcsIn = (answers) => couplesIn(answers).map(([at, couple], k) =>
-  at && Math.abs(couple) > 0.02 * largestCouple ? arcAbout(onPage(at), k >= couples.length && couples.length ? ARC + 8 : ARC, couple) : []);
+  at && abs(couple) > 0.02 * largestCouple ? arcAbout(onPage(at), k >= couples.length && couples.length ? ARC + 8 : ARC, couple) : []);
 const headOf = (arc) => {
   const [from, to] = arc.slice(-2);
   return to ? [along(to, from, 8, 4), to, along(to, from, 8, -4)] : [];
@@ -49,7 +49,7 @@ const traceArc = (node, arc) => trace(node, pathOf(arc) + pathOf(headOf(arc)));
 const wheelsIn = ({ pose, marked }) => wheels.flatMap((pair, n) => [0, 1].map((k) => ({
   link: pair[2 * k],
   at: pose.point(pair[2 * k + 1]),
-  radius: Math.abs(marked?.[WHEELS + 2 * n + k]),
+  radius: abs(marked?.[WHEELS + 2 * n + k]),
 })));
 
 /// Places that belong into the picture. A wheel that is much larger than the way between centres goes beyond it.
@@ -95,7 +95,7 @@ const drawMarks = (answers, end) => {
   nodes.couples.forEach((arrow, k) => {
     traceArc(arrow.path, arcs[k]);
     show(arrow.text, false);
-    if (arcs[k].length && view.width >= 500) tellForce(arrow, pose, withUnit(digits(Math.abs(turning[k][1]) * times, 3), unit), arcs[k][6]);
+    if (arcs[k].length && view.width >= 500) tellForce(arrow, pose, withUnit(digits(abs(turning[k][1]) * times, 3), unit), arcs[k][6]);
   });
   const { path, text } = nodes.coupleScale, y = view.height - 14, isAny = largestCouple > 0, round = roundBelow(largestCouple * times);
   show(path, isAny);

@@ -18,7 +18,7 @@ const frame = () => {
   else if (what === CURVES) sample();
   if (what !== POSE) {
     drawCurves();
-    tellWorst();
+    if (params.length) tellWorst();
   }
   drawPose();
   if (drag?.isOnItsWay) follow();
@@ -29,20 +29,22 @@ const frame = () => {
 /// Asked with the scale alone: asking in every frame would lay the page out in each once more.
 let chartsWidth = 0;
 
+/// True if the page finds ends of sliders itself.
+const isOpen = [...inputs, ...params, ...loads].some(({ words, from }) => !words && !isFinite(from));
 /// Scale and origin by which everything fits; all nodes anew.
 const fit = () => {
-  findRanges();
+  if (isOpen) findRanges();
   const poses = surveyed();
   chartsWidth = $("#charts").clientWidth;
-  survey(poses);
+  if (hasSlides) survey(poses);
   const [[x0, x1], [y0, y1]] = boxOf(poses);
-  extent = Math.max(x1 - x0, y1 - y0);
+  extent = max(x1 - x0, y1 - y0);
   if (!charts.length) buildCharts();
-  const width = figure.parentElement.clientWidth, spare = width < 500 ? 40 : forcesIn(answersAt(poses[0])).length ? 96 : 56;
-  const least = width < 500 ? 240 : 300, most = Math.max(320, Math.min(0.62 * innerHeight, 560));
-  const [wide, high] = [Math.max(x1 - x0, 1e-3 * (y1 - y0), 1e-12), y1 - y0];
+  const width = figure.parentElement.clientWidth, spare = width < 500 ? 40 : hasForces && forcesIn(answersAt(poses[0])).length ? 96 : 56;
+  const least = width < 500 ? 240 : 300, most = max(320, min(0.62 * innerHeight, 560));
+  const [wide, high] = [max(x1 - x0, 1e-3 * (y1 - y0), 1e-12), y1 - y0];
   const inner = clamp(((width - 2 * spare) * high) / wide + 2 * spare, least, most);
-  const scale = Math.min((width - 2 * spare) / wide, (inner - 2 * spare) / Math.max(high, 1e-3 * wide));
+  const scale = min((width - 2 * spare) / wide, (inner - 2 * spare) / max(high, 1e-3 * wide));
   // Below stands the scale. Letters are as wide as the page's font has a digit beside Arial's.
   // While the page around this one moves a point, the scale stands still.
   Object.assign(view, { scale, width, height: inner + 16, letter: widthOf("0") / 6.4, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 }, globalThis.MOVED?.view);
@@ -58,7 +60,7 @@ const drawCurves = () => {
     trace(nodes.oldTrace[k], way(isBeside() ? kept.samples : []));
   });
   // One margin for all, so that a cursor stands in one line.
-  const left = Math.max(...charts.map((chart) => prepared(chart).room), 34);
+  const left = max(...charts.map((chart) => prepared(chart).room), 34);
   charts.forEach((chart) => drawChart(chart, chartsWidth, left));
   // A motion that is none is left out, unless nothing else is there.
   const isAtRest = charts.every(({ isFlat }) => isFlat);
@@ -69,14 +71,14 @@ const drawPose = () => {
   const pose = new Pose(state.q);
   if (!pose.error) lastGood = pose;
   const now = answersAt(pose);
-  const bodies = bodiesOf(pose), arrows = arrowsOf(now);
+  const bodies = bodiesOf(pose), arrows = hasForces ? arrowsOf(now) : [];
   drawBodies(nodes.body, bodies);
   show(nodes.ghost, pose.error && lastGood);
   if (pose.error && lastGood) drawBodies(nodes.shade, bodiesOf(lastGood));
-  drawSprings(pose);
+  if (PLAN.springs.length) drawSprings(pose);
   drawJoints(pose, bodies, arrows);
   drawGap(pose);
-  const end = drawForces(pose, arrows);
+  const end = hasForces && drawForces(pose, arrows);
   if (MACHINE.marks) drawMarks(now, end);
   drawPicked(pose, now);
   const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`.replaceAll(" ", "\u00a0")).join("  ·  ");
@@ -140,7 +142,6 @@ on(figure, "pointerdown", (event) => {
   figure.focus({ preventScroll: true });
   figure.setPointerCapture(event.pointerId);
   play(false);
-  run(false);
   drag = { point, pointer: event.pointerId, crank: crankOf(point), offset: minus(new Pose(state.q).point(point), place) };
   draw(POSE);
 });
@@ -191,7 +192,7 @@ on(figure, "keydown", (event) => {
   const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
   if (event.key === " ") play(!playing);
   else if (way) {
-    const input = inputs[state.axis], step = input.isAngle ? Math.PI / 180 : sizeOf(input) / 200;
+    const input = inputs[state.axis], step = input.isAngle ? PI / 180 : sizeOf(input) / 200;
     play(false);
     go(withInput(state.axis, within(state.q[state.axis] + way * step * (event.shiftKey ? 10 : 1), input)));
   } else return;
@@ -208,14 +209,14 @@ const paceWords = (x) => (x < 1 ? `${Math.round(1 / x)} × slower` : x > 1 ? `${
 
 /// The pace at which a turn, or a way there and back, takes about five seconds.
 const setPace = () => {
-  const input = inputs[state.axis], own = (sizeOf(input) * (input.turns ? 1 : 2)) / Math.abs(state.rate || input.rate || 1);
-  const off = (x) => Math.abs(Math.log(own / SECONDS / x));
+  const input = inputs[state.axis], own = (sizeOf(input) * (input.turns ? 1 : 2)) / abs(state.rate || input.rate || 1);
+  const off = (x) => abs(Math.log(own / SECONDS / x));
   pace = PACES.reduce((best, x) => (off(x) < off(best) ? x : best));
   $("#pace").value = pace;
 };
 
 const play = (wanted) => {
-  if (wanted) run(false);
+  if (running) run(false);
   if (wanted === playing) return;
   playing = wanted;
   $("#play").textContent = playing ? "Pause" : "Play";
@@ -227,7 +228,7 @@ const play = (wanted) => {
 
 const tick = (time) => {
   if (!playing) return;
-  const seconds = then === null ? 0 : Math.min((time - then) / 1e3, 0.1);
+  const seconds = then === null ? 0 : min((time - then) / 1e3, 0.1);
   then = time;
   if (PAGE.path.length) {
     const { length } = PAGE.path;
@@ -272,7 +273,6 @@ const choose = (id, names) => {
 
 const reset = () => {
   play(false);
-  run(false);
   Object.assign(state, { q: inputs.map(({ at }) => at), p: params.map(({ value }) => value), l: loads.map(({ value }) => value) });
   Object.assign(state, { axis: 0, rate: inputs[0].rate });
   $("#axis").value = 0;
@@ -314,10 +314,9 @@ const start = () => {
   $("#axis").parentElement.hidden = inputs.length < 2;
   $("#results").hidden = !offered.length;
   $("#pace").hidden = PAGE.path.length > 0 && !MACHINE.forward_dynamics;
-  $("#run").hidden = !MACHINE.forward_dynamics;
   buildTable();
-  offerTolerances();
-  findRanges();
+  if (params.length) offerTolerances();
+  if (isOpen) findRanges();
   const isRecalled = location.hash.length > 1 || asked !== "";
   document.body.classList.toggle("inside", isInside);
   if (!isRecalled) begin();
@@ -330,18 +329,12 @@ const start = () => {
 };
 
 on($("#play"), "click", () => play(!playing));
-on($("#run"), "click", () => {
-  // Masses move in real time at first.
-  if (!running && pace !== 1) $("#pace").value = pace = 1;
-  run(!running);
-});
 on($("#reset"), "click", reset);
 on($("#copy"), "click", copyDeclaration);
 on($("#csv"), "click", () => {
   save(new Blob([csv()], { type: "text/csv" }), "csv");
 });
 on($("#keep"), "click", keep);
-on($("#tolerate"), "click", tolerate);
 for (const ending of ["svg", "png"]) {
   on($(`#${ending}`), "click", () => saveDrawing([figure], ending));
   on($(`#charts_${ending}`), "click", () => saveDrawing(charts.map(({ svg }) => svg).filter((svg) => svg.style.display !== "none"), ending));

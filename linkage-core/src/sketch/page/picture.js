@@ -35,7 +35,7 @@ const show = (node, isShown, spot) => {
 /// From metres to pixels, y up and y down.
 const view = { scale: 100, x: 0, y: 0, width: 700, height: 480, letter: 1 };
 const onPage = ([x, y]) => [view.x + view.scale * x, view.y - view.scale * y];
-const degreesOf = ({ cos, sin }) => (-atan2(sin, cos) * 180) / Math.PI;
+const degreesOf = ({ cos, sin }) => (-atan2(sin, cos) * 180) / PI;
 const seatOf = (frame) => `${shiftTo(onPage(frame.at))} rotate(${short(degreesOf(frame))})`;
 const short = (x) => +x.toFixed(1);
 const pathOf = (spots, isClosed = false) =>
@@ -52,11 +52,12 @@ const along = (a, b, far, side = 0) => {
   return [a[0] + x * far - y * side, a[1] + y * far + x * side];
 };
 
-/// The length by which a guide exceeds the travel of its blocks, and a pointer's, in pixels.
-const OVERRUN = 27, POINTER = 44;
+/// A pointer's length, in pixels.
+const POINTER = 44;
 
 const colours = PLAN.links.map((_, link) => `var(--l${link % 6})`);
 const allMembers = statements.flatMap(({ members }) => members);
+const hasSlides = PLAN.guides.length > 0 || allMembers.some(({ shape }) => !["bar", "body"].includes(shape));
 /// The points at which something stands, which are drawn.
 const used = new Set([
   ...joints.flat(),
@@ -66,43 +67,8 @@ const used = new Set([
 
 // ---- what all poses tell ----------------------------------------------------------------------------
 
-/// How far links slide, how long cylinders are and which guides lie still, over all poses.
-const travel = { slides: [], lengths: new Map(), stillGuides: new Set() };
-
-const widened = ([least, most], x) => (isFinite(x) ? [Math.min(least, x), Math.max(most, x)] : [least, most]);
+const widened = ([least, most], x) => (isFinite(x) ? [min(least, x), max(most, x)] : [least, most]);
 const NOTHING = [Infinity, -Infinity];
-const orIdle = ([least, most]) => (least <= most ? [least, most] : [0, 0]);
-
-const survey = (poses) => {
-  travel.slides = PLAN.links.map((_, link) => poses.reduce((range, pose) => {
-    const frame = pose.link(link);
-    return frame ? widened(range, frame.slide) : range;
-  }, NOTHING));
-  for (const { members, pin } of statements) {
-    for (const member of members) {
-      if (member.shape !== "cylinder") continue;
-      const lengths = poses.map((pose) => Math.abs(pose.dimension(member)));
-      travel.lengths.set(member.link, lengths.reduce(widened, NOTHING));
-    }
-  }
-  travel.stillGuides = new Set(PLAN.guides.map((_, guide) => guide).filter((guide) => {
-    const frames = poses.map((pose) => pose.guide(guide)).filter(Boolean), [first] = frames;
-    return frames.every(({ at, cos, sin }) => apart(at, first.at) < 1e-9 && Math.abs(cos - first.cos) + Math.abs(sin - first.sin) < 1e-9);
-  }));
-};
-
-/// From where to where a block slides on a link of its own group.
-const slidesOn = (link) => {
-  const { members } = statements.find(({ members }) => members.some((member) => member.link === link));
-  return orIdle(travel.slides[members.find(({ shape }) => shape === "sleeve").link]);
-};
-
-/// From where to where a guide is drawn, in metres along it.
-const endsOf = (guide) => {
-  const links = allMembers.filter((member) => member.guide === guide).map(({ link }) => travel.slides[link]);
-  const [least, most] = orIdle(links.reduce((range, [a, b]) => widened(widened(range, a), b), NOTHING));
-  return [least - OVERRUN / view.scale, most + OVERRUN / view.scale];
-};
 
 /// The box around all points, also those that are wanted or kept, blocks and bars that blocks slide on, in metres.
 const boxOf = (poses) => {
@@ -163,64 +129,7 @@ const SHAPES = {
     const frame = pose.link(link);
     return { bar: pathOf([onPage(frame.at), onPage(placed(frame, [POINTER / view.scale, 0]))]) };
   },
-  cylinder: (pose, { link, pivot }, { pin }) => {
-    const [a, b] = [pivot, pin].map((point) => onPage(pose.point(point)));
-    const [shortest, longest] = travel.lengths.get(link).map((length) => length * view.scale);
-    const tube = Math.max(Math.min(shortest - 0.12 * (longest - shortest) - 10, apart(a, b) - 10), 0.3 * shortest);
-    const others = joints[link].filter((point) => point !== pin);
-    return {
-      ...(others.length > 1 ? outline(others.map((point) => onPage(pose.point(point)))) : {}),
-      rod: pathOf([a, along(a, b, 8)]) + pathOf([along(a, b, tube), b]),
-      tube: pathOf([along(a, b, 8, 7), along(a, b, tube, 7), along(a, b, tube, -7), along(a, b, 8, -7)], true),
-    };
-  },
-  block: (pose, member) => {
-    const frame = pose.link(member.link), spots = spotsOf(pose, member.link);
-    const seat = placed(frame, [0, -pose.dimension(member)]), stub = pathOf([onPage(seat), onPage(frame.at)]);
-    const { bar = "", plate } = spots.length > 1 ? outline(spots) : {};
-    return { bar: bar + stub, plate, block: { ...frame, at: seat } };
-  },
-  sleeve: (pose, { link }) => {
-    const spots = spotsOf(pose, link);
-    return { ...(spots.length > 1 ? outline(spots) : {}), block: pose.link(link) };
-  },
-  slotted_bar: (pose, member) => {
-    const frame = pose.link(member.link), offset = pose.dimension(member), over = OVERRUN / view.scale;
-    const [least, most] = slidesOn(member.link);
-    const own = joints[member.link].map((point) => pose.point(point)).filter(Boolean).map((spot) => seenFrom(frame, spot));
-    const reach = own.filter(([, y]) => Math.abs(y - offset) * view.scale < 1).map(([x]) => x);
-    const ends = [Math.min(least - over, ...reach), Math.max(most + over, ...reach)];
-    const line = pathOf(ends.map((x) => onPage(placed(frame, [x, offset]))));
-    const stub = pathOf([onPage(frame.at), onPage(placed(frame, [0, offset]))]);
-    const isAside = own.some(([, y]) => Math.abs(y - offset) * view.scale >= 1);
-    const { bar = "", plate } = isAside && own.length > 1 ? outline(spotsOf(pose, member.link)) : {};
-    return { bar: line + bar + (offset ? stub : ""), plate };
-  },
-  yoke: (pose, member, { members }) => {
-    const yoke = pose.link(member.link), { link } = members.find(({ shape }) => shape === "sleeve");
-    const first = { ...pose.link(link), at: placed(yoke, [0, pose.dimension(member)]) };
-    const slot = { ...first, at: placed(first, [0, pose.dimension(member, 1)]) };
-    const [least, most] = slidesOn(member.link), over = OVERRUN / view.scale;
-    const line = [Math.min(least - over, 0), Math.max(most + over, 0)].map((x) => onPage(placed(slot, [x, 0])));
-    const { bar = "", plate } = outline([...spotsOf(pose, member.link), onPage(yoke.at)]);
-    const stub = pathOf([yoke.at, first.at, slot.at].map(onPage));
-    return { bar: pathOf(line) + bar + stub, plate, block: yoke };
-  },
 };
-
-/// The guides that a link carries: a bar as long as its blocks go, tied to the nearest joint.
-const carriedBy = (pose, link) =>
-  statements.filter(({ guide, on }) => guide !== undefined && on === link).map(({ guide }) => {
-    const frame = pose.guide(guide);
-    if (!frame) return "";
-    const [from, to] = endsOf(guide), spots = joints[link].map((point) => pose.point(point)).filter(Boolean);
-    const ties = (spots.length ? spots : [pose.link(link).at]).map((spot) => {
-      const foot = placed(frame, [clamp(seenFrom(frame, spot)[0], from, to), 0]);
-      return [spot, foot].map(onPage);
-    });
-    const [tie] = ties.sort((a, b) => apart(...a) - apart(...b));
-    return pathOf([from, to].map((x) => onPage(placed(frame, [x, 0])))) + (apart(...tie) > 2 ? pathOf(tie) : "");
-  }).join("");
 
 /// The nodes of every link, in a layer.
 const bodiesIn = (layer) => {
@@ -240,7 +149,7 @@ const bodiesIn = (layer) => {
 const bodiesOf = (pose) => allMembers.map((member) => {
   if (!pose.link(member.link)) return {};
   const parts = SHAPES[member.shape](pose, member, statements.find(({ members }) => members.includes(member)));
-  return { ...parts, bar: (parts.bar ?? "") + carriedBy(pose, member.link) };
+  return { ...parts, bar: (parts.bar ?? "") + (PLAN.guides.length ? carriedBy(pose, member.link) : "") };
 });
 
 const drawBodies = (nodes, bodies) => bodies.forEach(({ plate, bar, rod, tube, block }, k) => {

@@ -167,7 +167,7 @@ const efforts = MACHINE.efforts.flatMap(({ name, rows, units, point }) =>
 /// An input in words. One that turns has no more than a turn; any other has the number of its axis.
 const inputWords = (k, x = state.q[k]) => {
   const { turns, unit, from, to } = inputs[k];
-  return inScale(turns ? turnedInto(x, from, to) : x, shownIn(unit, 0, Math.max(Math.abs(from), Math.abs(to))));
+  return inScale(turns ? turnedInto(x, from, to) : x, shownIn(unit, 0, max(abs(from), abs(to))));
 };
 
 /// An angle by whole turns into a range of one; both ends stay what they are, as sliders round them.

@@ -8,10 +8,9 @@ const idle = [...params, ...loads].filter(({ words, from }) => !words && !isFini
 const sizeOfMachine = () => {
   const pose = new Pose(state.q.map((x) => (isFinite(x) ? x : 0)));
   const own = pose.numbers.slice(DIMENSIONS), fixed = [...grounds].flatMap((point) => pose.numbers.slice(2 * point, 2 * point + 2));
-  return [...own, ...fixed].map(Math.abs).filter((x) => x < Infinity).reduce((sum, x) => sum + x, 0) || 1;
+  return [...own, ...fixed].map(abs).filter((x) => x < Infinity).reduce((sum, x) => sum + x, 0) || 1;
 };
 
-const withOne = (q, k, x) => q.map((own, n) => (n === k ? x : own));
 /// The lengths of cylinders, which end where they change their sign.
 const cylinders = statements.flatMap(({ members }) => members.filter(({ shape }) => shape === "cylinder"));
 const signsOf = (pose) => cylinders.map((member) => Math.sign(pose.dimension(member)));
@@ -50,7 +49,7 @@ const travelOf = (k, q, size) => {
   const end = (way) => {
     let [good, bad] = [start, start + way * step];
     while (stands(bad)) {
-      if (Math.abs(bad - start) > size) return bad;
+      if (abs(bad - start) > size) return bad;
       [good, bad] = [bad, bad + way * step];
     }
     for (let round = 0; round < 50; round++) {

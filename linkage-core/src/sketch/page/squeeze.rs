@@ -1,72 +1,162 @@
 //! Scripts and styles without what only their authors read: comments, indents, and spaces beside signs.
 //!
-//! Lines that a sign ends are joined with the next one; elsewhere the end of a line may end a statement. Texts
-//! and regular expressions stay as they are; a slash begins one of these behind a sign
-//! or at the start of a line, and divides elsewhere.
+//! Lines that a sign ends are joined with the next one, and so is a line that a sign begins; elsewhere the end of a line
+//! may end a statement. Texts and regular expressions stay as they are, but for the expressions in a template; a slash
+//! begins one of these behind a sign or at the start of a line, and divides elsewhere. `const` becomes the shorter `let`,
+//! and declarations that follow each other are one.
 
+use std::iter::Peekable;
+use std::str::Chars;
 use std::string::String;
+use std::vec::Vec;
 
 /// Files of JavaScript, one behind the other.
 pub(super) fn script(files: &[&str]) -> String {
-    let mut squeezed = String::new();
+    let mut squeezed = Squeezed { text: String::new(), declares: [false].into() };
     for line in files.iter().flat_map(|file| file.lines().map(str::trim)) {
         if !line.is_empty() && !line.starts_with("//") {
-            if line.starts_with('}') && squeezed.ends_with(';') {
-                squeezed.pop();
-            }
-            squeeze(line, &mut squeezed);
-            if !line.ends_with(['{', '(', '[', ',', ';']) {
-                squeezed.push('\n');
-            }
+            squeezed.line(line);
         }
     }
-    squeezed
+    squeezed.text
 }
 
-fn squeeze(line: &str, to: &mut String) {
-    let start = to.len();
-    let mut letters = line.chars().peekable();
-    while let Some(letter) = letters.next() {
-        let before = to[start..].chars().next_back();
-        match letter {
-            '"' | '\'' | '`' => text(letter, &mut letters, to),
-            '/' if before.is_none_or(|before| "(,=:[!&|?{};>".contains(before)) => {
-                text('/', &mut letters, to);
+struct Squeezed {
+    text: String,
+    /// True where the present statement declares names: at the outermost level, and inside each open bracket.
+    declares: Vec<bool>,
+}
+
+impl Squeezed {
+    fn line(&mut self, line: &str) {
+        if line.starts_with(['}', ']', ')', '.', '?', ':', '&', '|', '=']) {
+            self.drop_last('\n');
+        }
+        if line.starts_with('}') {
+            self.drop_last(';');
+        }
+        if line.starts_with(['}', ']', ')']) {
+            self.drop_last(',');
+        }
+        let rest = self.declared(line);
+        let start = self.text.len();
+        self.squeeze(&mut rest.chars().peekable(), start, false);
+        if !self.text.ends_with(['{', '(', '[', ',', ';']) && !self.text.ends_with("=>") {
+            self.text.push('\n');
+        }
+    }
+
+    fn drop_last(&mut self, letter: char) {
+        if self.text.ends_with(letter) {
+            self.text.pop();
+        }
+    }
+
+    /// Writes how a declaration begins, and returns the rest of its line.
+    fn declared<'a>(&mut self, line: &'a str) -> &'a str {
+        let begins = self.text.is_empty() || self.text.ends_with([';', '{', '}', '\n']);
+        let names = line.strip_prefix("const ").or_else(|| line.strip_prefix("let "));
+        let Some(declares) = self.declares.last_mut().filter(|_| begins) else { return line };
+        let follows = core::mem::replace(declares, names.is_some()) && self.text.ends_with(';');
+        match names {
+            Some(names) if follows => {
+                self.text.pop();
+                self.text.push(',');
+                names
             }
-            ' ' => {
-                let after = letters.peek().copied();
-                // Two signs of one kind would be another operator.
-                let is_needed = before.zip(after).is_some_and(|(a, b)| {
-                    (is_word(a) && is_word(b)) || (a == b && "+-".contains(a))
-                });
-                if is_needed {
-                    to.push(' ');
+            _ => line,
+        }
+    }
+
+    /// Writes letters: of a line, or of an expression in a template up to its brace.
+    fn squeeze(&mut self, letters: &mut Peekable<Chars<'_>>, start: usize, is_inner: bool) {
+        let depth = self.declares.len();
+        while let Some(letter) = letters.next() {
+            let before = self.text[start..].chars().next_back();
+            match letter {
+                '"' | '\'' | '`' => self.quoted(letter, letters),
+                '/' if letters.peek() == Some(&'/') => return,
+                '/' if self.begins_text(before) => self.quoted('/', letters),
+                ' ' => self.space(before, letters.peek().copied()),
+                '}' if is_inner && self.declares.len() == depth => return self.text.push('}'),
+                letter => {
+                    self.sign(letter, letters.peek().is_some());
+                    self.text.push(letter);
                 }
             }
-            letter => to.push(letter),
         }
     }
-}
 
-/// Copies a text up to its end; a backslash takes the letter behind it along, and so does a class of letters
-/// of a regular expression.
-fn text(quote: char, letters: &mut impl Iterator<Item = char>, to: &mut String) {
-    to.push(quote);
-    let mut is_in_class = false;
-    while let Some(letter) = letters.next() {
-        to.push(letter);
+    /// True where a slash does not divide.
+    fn begins_text(&self, before: Option<char>) -> bool {
+        before.is_none_or(|before| "(,=:[!&|?{};>".contains(before))
+            || self.text.ends_with("return")
+    }
+
+    fn space(&mut self, before: Option<char>, after: Option<char>) {
+        if let Some(begun) = self.text.strip_suffix("const")
+            && !begun.ends_with(|letter| is_word(letter) || letter == '.')
+        {
+            self.text.truncate(begun.len());
+            self.text.push_str("let");
+        }
+        // Two signs of one kind would be another operator.
+        let is_needed = before
+            .zip(after)
+            .is_some_and(|(a, b)| (is_word(a) && is_word(b)) || (a == b && "+-".contains(a)));
+        if is_needed {
+            self.text.push(' ');
+        }
+    }
+
+    /// Notes brackets, and the end of a statement within a line.
+    fn sign(&mut self, letter: char, goes_on: bool) {
         match letter {
-            '\\' => to.extend(letters.next()),
-            '[' if quote == '/' => is_in_class = true,
-            ']' => is_in_class = false,
-            letter if letter == quote && !is_in_class => return,
+            '(' | '[' | '{' => self.declares.push(false),
+            ')' | ']' | '}' if self.declares.len() > 1 => drop(self.declares.pop()),
+            ';' if goes_on => drop(self.declares.last_mut().map(|declares| *declares = false)),
+            '>' if self.text.ends_with(")=") => self.single_parameter(),
             _ => {}
+        }
+    }
+
+    /// A function's only parameter needs no parentheses, unless a word stands before them.
+    fn single_parameter(&mut self) {
+        let parts = self.text.strip_suffix(")=").and_then(|text| text.rsplit_once('('));
+        let Some((before, name)) = parts else { return };
+        let is_name = !name.is_empty() && name.chars().all(is_word);
+        if is_name && !before.ends_with(is_word) {
+            let (at, name) = (before.len(), String::from(name));
+            self.text.truncate(at);
+            self.text.push_str(&name);
+            self.text.push('=');
+        }
+    }
+
+    /// Copies a text up to its end; a backslash takes the letter behind it along, and so does a class of letters
+    /// of a regular expression.
+    fn quoted(&mut self, quote: char, letters: &mut Peekable<Chars<'_>>) {
+        self.text.push(quote);
+        let mut is_in_class = false;
+        while let Some(letter) = letters.next() {
+            self.text.push(letter);
+            match letter {
+                '\\' => self.text.extend(letters.next()),
+                '$' if quote == '`' && letters.next_if_eq(&'{').is_some() => {
+                    self.text.push('{');
+                    self.squeeze(letters, self.text.len(), true);
+                }
+                '[' if quote == '/' => is_in_class = true,
+                ']' => is_in_class = false,
+                letter if letter == quote && !is_in_class => return,
+                _ => {}
+            }
         }
     }
 }
 
 fn is_word(letter: char) -> bool {
-    letter.is_alphanumeric() || "_$#\"'`".contains(letter)
+    letter.is_alphanumeric() || "_$#".contains(letter)
 }
 
 /// A style.
@@ -89,19 +179,44 @@ mod tests {
     #[test]
     fn spaces_go_where_they_say_nothing() {
         for (written, squeezed) in [
-            ("const a = b + c;", "const a=b+c;"),
+            ("const a = b + c;", "let a=b+c;"),
             ("  x - -y + +z", "x- -y+ +z\n"),
             ("return [a, \"b,  c\"];", "return[a,\"b,  c\"];"),
-            ("`a ${b + c} d` + 'x \\' y' ", "`a ${b + c} d`+'x \\' y'\n"),
+            ("`a ${b + c} d` + 'x \\' y' ", "`a ${b+c} d`+'x \\' y'\n"),
+            (
+                "`{ a } ${{ b: \" } \" }.b + \"c  d\"} }` + e",
+                "`{ a } ${{b:\" } \"}.b+\"c  d\"} }`+e\n",
+            ),
+            ("`$ { a } \\${ b } ${ /[ }] / }`", "`$ { a } \\${ b } ${/[ }] /}`\n"),
             ("a / b / c", "a/b/c\n"),
             ("s.replace(/a b[/ ]\" c/g, x)", "s.replace(/a b[/ ]\" c/g,x)\n"),
             ("// all of it", ""),
-            ("a = {\n  b: [\n    1,\n  ],\n};\nc", "a={b:[1,],};c\n"),
+            ("a(b); // (c\nd = e // f;\ng", "a(b);d=e\ng\n"),
+            ("a = \"b//c\", d = /e\\//g; // `", "a=\"b//c\",d=/e\\//g;"),
+            ("return /a b/.test(c) / d", "return/a b/.test(c)/d\n"),
+            ("a = {\n  b: [\n    1,\n  ],\n};\nc", "a={b:[1]};c\n"),
             (
                 "const f = () => {\n  g();\n};\nclass A {\n  b = 1;\n}\nf(\n  a\n    + b)",
-                "const f=()=>{g()};class A{b=1}\nf(a\n+b)\n",
+                "let f=()=>{g()};class A{b=1}\nf(a\n+b)\n",
             ),
-            ("case \"x\" in y", "case \"x\" in y\n"),
+            ("case \"x\" in y", "case\"x\"in y\n"),
+            ("a\n  ? b\n  : c;\nd()\n  .e()\n[f]", "a?b:c;d().e()\n[f]\n"),
+            ("f((a) => (b, c) =>\n  async (d) => g(d) => 0)", "f(a=>(b,c)=>async(d)=>g(d)=>0)\n"),
+            (
+                "for (const [a, b] of c) d(constant, x.const );",
+                "for(let[a,b]of c)d(constant,x.const);",
+            ),
+            // Declarations behind each other are one, unless something stands between.
+            (
+                "const a = 1;\nlet b = (c) => {\n  const d = c;\n  const e = d;\n};\nconst f = 2;",
+                "let a=1,b=c=>{let d=c,e=d},f=2;",
+            ),
+            ("const a = 1;\nb();\nconst c = 2;", "let a=1;b();let c=2;"),
+            ("const a = 1; b();\nconst c = 2;", "let a=1;b();let c=2;"),
+            ("const a = 1\nconst b = 2;", "let a=1\nlet b=2;"),
+            ("if (a) {\n  const b = 1;\n}\nconst c = 2;", "if(a){let b=1}\nlet c=2;"),
+            ("const a = [\n  1,\n  ...b,\n];\nconst c = 2;", "let a=[1,...b],c=2;"),
+            ("for (const a of b) c(a);\nconst d = 2;", "for(let a of b)c(a);let d=2;"),
         ] {
             assert_eq!(script(&[written]), squeezed, "{written}");
         }
@@ -140,8 +255,7 @@ mod tests {
     fn no_template_stands_within_a_template() {
         assert_eq!(nested_templates("`a ${b.map((c) => `${c}`)}`"), [1]);
         assert_eq!(nested_templates("`a ${\"`\"}` + `b` // `${`\n"), [0; 0]);
-        use crate::sketch::page::assembled::{ARITHMETIC, FRICTION, READS, SEARCH, SHOWS};
-        for file in [&ARITHMETIC[..], &SEARCH, &FRICTION, &READS, &SHOWS].concat() {
+        for file in crate::sketch::page::tests::every_file() {
             let head = file.lines().next().unwrap_or_default();
             assert_eq!(nested_templates(file), [0; 0], "{head}");
         }

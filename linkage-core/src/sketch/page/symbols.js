@@ -4,7 +4,7 @@ const nodes = {};
 
 /// Reactions of joints, with their places among the forces, and the points of loads that are applied.
 const reactions = efforts.map((effort, at) => ({ ...effort, at })).filter(({ row, point }) => point !== null && row === "x");
-const appliedAt = MACHINE.appliedAt ?? [];
+const appliedAt = MACHINE.appliedAt ?? [], hasForces = reactions.length + appliedAt.length > 0 || MACHINE.marks;
 
 /// All nodes anew, for another scale.
 const build = (poses) => {
@@ -59,15 +59,6 @@ const tracedPoints = (() => {
 
 // ---- what stands still ------------------------------------------------------------------------------
 
-const rail = (frame, [from, to]) => {
-  const [a, b] = [from, to].map((x) => x * view.scale);
-  const seat = made("g", { class: "still", transform: `${seatOf(frame)} translate(0 9.5)` }, nodes.ground);
-  made("path", { d: `M${short(a)} 0H${short(b)}` }, seat);
-  let hatches = "";
-  for (let x = a + 6; x <= b; x += 7) hatches += `M${short(x)} 0l-6 7`;
-  made("path", { d: hatches, class: "thin" }, seat);
-};
-
 const support = (at) => {
   const seat = made("g", { class: "still", transform: shiftTo(at) }, nodes.ground);
   made("path", { d: "M0 0L-10 17H10Z", class: "foot" }, seat);
@@ -111,7 +102,7 @@ const seenIn = (pose, bodies, arrows) => ({
 });
 const placeNames = (poses) => {
   offsets.length = 0;
-  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0).map((pose) => seenIn(pose, bodiesOf(pose), arrowsOf(answersAt(pose))));
+  const seen = poses.filter((_, k) => k % Math.ceil(poses.length / 24) === 0).map((pose) => seenIn(pose, bodiesOf(pose), hasForces ? arrowsOf(answersAt(pose)) : []));
   for (const point of used) offsets[point] = sideOf(point, seen);
 };
 
@@ -119,7 +110,7 @@ const sideOf = (point, seen) => {
   const isOnBlock = allMembers.some(({ link, shape }) => shape === "block" && joints[link].includes(point));
   let best = [Infinity];
   for (let way = 0; way < 40; way++) {
-    const angle = (way * Math.PI) / 4, far = way >> 3;
+    const angle = (way * PI) / 4, far = way >> 3;
     const offset = [Math.cos(angle) * ((isOnBlock ? 18 : 11) + 9 * far + halfOf(point)), Math.sin(angle) * ((isOnBlock ? 20 : 16) + 9 * far)];
     const cost = way * 0.01 + seen.reduce((sum, one) => sum + crowding(one, point, offset), 0) / seen.length;
     if (cost < best[0]) best = [cost, offset];
@@ -131,7 +122,7 @@ const sideOf = (point, seen) => {
 const crowding = ({ spots, lines }, point, [dx, dy]) => {
   if (!spots[point]) return 0;
   const [px, py] = spots[point], [x, y, half] = [px + dx, py + dy, halfOf(point)];
-  const covers = (u, v, wide, above, below) => Math.abs(u - x) < half + wide && y > v - above && y < v + below;
+  const covers = (u, v, wide, above, below) => abs(u - x) < half + wide && y > v - above && y < v + below;
   let cost = x < half + 4 || x > view.width - half - 4 || y < 12 || y > view.height - 26 ? 3 : 0;
   spots.forEach((spot, other) => {
     if (!spot) return;
@@ -144,8 +135,8 @@ const crowding = ({ spots, lines }, point, [dx, dy]) => {
   for (const [a, b, thick] of lines) {
     // No axis tells the line and the name's box apart.
     const [ux, uy] = minus(b, a).map((part) => part / 2), [mx, my] = [x - a[0] - ux, y - a[1] - uy];
-    const [wide, high, across, up] = [half + thick, 6 + thick, Math.abs(ux), Math.abs(uy)];
-    const isApart = Math.abs(mx) > wide + across || Math.abs(my) > high + up || Math.abs(ux * my - uy * mx) > wide * up + high * across;
+    const [wide, high, across, up] = [half + thick, 6 + thick, abs(ux), abs(uy)];
+    const isApart = abs(mx) > wide + across || abs(my) > high + up || abs(ux * my - uy * mx) > wide * up + high * across;
     if (!isApart) cost += 1;
   }
   return cost;
@@ -157,38 +148,12 @@ let texts = [];
 const roomOf = ({ textContent }) => 6.7 * view.letter * textContent.length;
 const write = (node, wide, spots) => {
   const spot = spots.map(([x, y]) => [clamp(x, 4, view.width - wide - 4), clamp(y, 14, view.height - 26)])
-    .find(([x, y]) => texts.every(([u, v, its]) => x > u + its || u > x + wide || Math.abs(y - v) > 15));
+    .find(([x, y]) => texts.every(([u, v, its]) => x > u + its || u > x + wide || abs(y - v) > 15));
   show(node, spot, spot);
   if (spot) texts.push([...spot, wide]);
 };
 
 // ---- what moves -------------------------------------------------------------------------------------
-
-const zigzag = (a, b, side = 0) => {
-  const length = apart(a, b), lead = Math.min(16, length / 4), coils = 9;
-  const spots = [along(a, b, 0, side), along(a, b, lead, side)];
-  for (let k = 0; k < coils; k++) {
-    spots.push(along(a, b, lead + ((length - 2 * lead) * (k + 0.5)) / coils, side + (k % 2 ? 7 : -7)));
-  }
-  return pathOf([...spots, along(a, b, length - lead, side), along(a, b, length, side)]);
-};
-
-const damper = (a, b, side = 0) => {
-  const length = apart(a, b), [bottom, top, piston] = [0.3, 0.7, 0.55].map((share) => share * length);
-  const spot = (far, across) => along(a, b, far, side + across);
-  return pathOf([spot(0, 0), spot(bottom, 0)]) + pathOf([spot(top, 6), spot(bottom, 6), spot(bottom, -6), spot(top, -6)])
-    + pathOf([spot(piston, 6), spot(piston, -6)]) + pathOf([spot(piston, 0), spot(length, 0)]);
-};
-
-const drawSprings = (pose) => PLAN.springs.forEach(({ ends, kinds }, k) => {
-  const [a, b] = ends.map((end) => pose.point(end));
-  const [hasStiffness, hasDamping] = kinds;
-  const draw = ([a, b]) =>
-    hasStiffness && hasDamping ? zigzag(a, b, -11) + damper(a, b, 11) + pathOf([along(a, b, 0, -11), along(a, b, 0, 11)])
-      + pathOf([along(b, a, 0, -11), along(b, a, 0, 11)])
-    : hasStiffness ? zigzag(a, b) : damper(a, b);
-  trace(nodes.spring[k], a && b && draw([a, b].map(onPage)));
-});
 
 const drawJoints = (pose, bodies, arrows) => {
   const seen = seenIn(pose, bodies, arrows), { spots } = seen;
@@ -240,7 +205,7 @@ const boundOf = (pose, member, { members }) => {
     return { at: onPage(placed(frame, [x, pose.dimension(member)])), angle: degreesOf(frame) };
   }
   if (member.pivot === null) return null;
-  const radius = member.shape === "sleeve" ? 0 : Math.abs(pose.dimension(member)) * view.scale;
+  const radius = member.shape === "sleeve" ? 0 : abs(pose.dimension(member)) * view.scale;
   const at = pose.point(member.pivot);
   return at && isFinite(radius) ? { at: onPage(at), radius } : null;
 };
@@ -257,7 +222,7 @@ const between = (first, second) => {
 
 const dashed = ({ at, radius, angle }, to) => {
   if (radius === undefined) {
-    const [cos, sin] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)].map((x) => 120 * x);
+    const [cos, sin] = [Math.cos((angle * PI) / 180), Math.sin((angle * PI) / 180)].map((x) => 120 * x);
     return pathOf([[at[0] - cos, at[1] - sin], [at[0] + cos, at[1] + sin]]);
   }
   if (radius < 1) return "";
@@ -266,70 +231,13 @@ const dashed = ({ at, radius, angle }, to) => {
   return `M${start}A${short(radius)} ${short(radius)} 0 0 1 ${end}${pathOf([at, to])}`;
 };
 
-/// Reactions of joints, to one scale, which stands below: the cycle's largest is 90 pixels long.
-let largestForce = 0;
 /// An arrow with a head that is no longer than itself.
 const arrowTo = (from, to) => {
-  const head = Math.min(9, 0.6 * apart(from, to));
+  const head = min(9, 0.6 * apart(from, to));
   return pathOf([from, to]) + pathOf([along(to, from, head, 0.45 * head), to, along(to, from, head, -0.45 * head)]);
 };
 /// The largest of 1, 2 and 5 times a power of ten that is not above the number.
 const roundBelow = (most) => {
   const power = 10 ** Math.floor(Math.log10(most));
   return [5, 2, 1].map((step) => step * power).find((x) => x <= most) ?? power;
-};
-/// A round force at the foot of the picture, as long as arrows of it are, and where its arrow begins.
-const drawForceScale = (most, [unit, times]) => {
-  const round = roundBelow(largestForce * times);
-  const length = (round / times / largestForce) * most, y = view.height - 14, right = view.width - 16;
-  nodes.forceWords.textContent = withUnit(digits(round, 1), unit);
-  const wide = roomOf(nodes.forceWords), x = right - wide - 8;
-  trace(nodes.forceScale, arrowTo([x - length, y], [x, y]));
-  show(nodes.forceWords, true, [x + 8, y + 4]);
-  return x - length;
-};
-/// How long the largest arrow is. None leaves the picture, whose sides are that far from the machine.
-const mostArrow = () => (view.width < 500 ? 36 : 90);
-/// The forces of a pose, an arrow each: where they act, in metres, and x and y in newtons.
-const forcesIn = (answers) => {
-  const { pose, forces, applied } = answers;
-  return [
-    ...reactions.map(({ at, point }) => [pose.point(point), forces?.slice(at, at + 2)]),
-    ...appliedAt.map((point, k) => [pose.point(point), applied?.slice(2 * k, 2 * k + 2)]),
-    ...(MACHINE.marks ? weightsAndPushes(answers) : []),
-  ];
-};
-/// The arrows of a pose, and what else names keep off.
-const arrowsOf = (answers) => {
-  const scale = mostArrow() / largestForce, own = [...nodes.arrows, ...nodes.applied, ...(nodes.acting ?? [])];
-  return forcesIn(answers).map(([at, force], k) => {
-    const arrow = own[k], size = Math.hypot(...(force ?? []));
-    if (!at || !(size * scale > 1)) return { arrow };
-    const [x, y] = onPage(at);
-    return { arrow, size, from: [x, y], to: [x + force[0] * scale, y - force[1] * scale] };
-  }).concat(MACHINE.marks ? markedLines(answers) : []);
-};
-/// Writes a number beside a place, at its left or right, and best on no joint.
-const tellForce = ({ text, effort }, pose, number, [x, y], isLeft) => {
-  const pins = [...used].map((point) => pose.point(point)).filter((at) => at).map(onPage);
-  text.textContent = effort ? `${effort} ${number}` : number;
-  const wide = roomOf(text), sides = [x + 6, x - 6 - wide];
-  if (isLeft) sides.reverse();
-  const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, y + dy]));
-  const isOnPin = ([x, y]) => pins.some(([u, v]) => Math.abs(u - x - wide / 2) < wide / 2 + 7 && Math.abs(v - y + 4) < 12);
-  write(text, wide, spots.sort((a, b) => isOnPin(a) - isOnPin(b)));
-};
-/// The arrows, and where their scale begins.
-const drawForces = (pose, arrows) => {
-  const isAny = largestForce > 0, [unit, times] = shownIn("N", 0, largestForce);
-  show(nodes.forceScale, isAny);
-  show(nodes.forceWords, isAny);
-  for (const { arrow, size, from, to } of arrows.filter(({ arrow }) => arrow)) {
-    show(arrow.path, to);
-    show(arrow.text, false);
-    if (!to) continue;
-    trace(arrow.path, arrowTo(from, to));
-    if (apart(from, to) >= 25 && view.width >= 500) tellForce(arrow, pose, withUnit(digits(size * times, 3), unit), to, to[0] < from[0]);
-  }
-  return isAny ? drawForceScale(mostArrow(), [unit, times]) - 16 : view.width - 16;
 };

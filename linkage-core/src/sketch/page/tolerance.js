@@ -2,7 +2,7 @@
 // input. Both ends of each tolerance are posed, so that a machine that cannot be assembled there says so.
 
 /// Parameters lie uniformly this far to both sides of their values: lengths, in metres, and angles, in radians.
-const tolerances = { m: 1e-4, rad: Math.PI / 1800 };
+const tolerances = { m: 1e-4, rad: PI / 1800 };
 let isTolerated = false;
 
 const tolerated = () => params.flatMap(({ name, unit, words }, k) => {
@@ -25,7 +25,7 @@ const effectsAt = (own, q) => tolerated().map(({ name, k, by }) => {
   const between = (a, b, { isAngle }) => (isAngle ? b - a - TURN * Math.round((b - a) / TURN) : b - a);
   return { name, by: own.map((row, n) => (less && more ? 0.5 * between(less[n], more[n], row) : NaN)) };
 });
-const worstOf = (effects, n) => effects.reduce((sum, { by }) => sum + Math.abs(by[n]), 0);
+const worstOf = (effects, n) => effects.reduce((sum, { by }) => sum + abs(by[n]), 0);
 /// The sum of variances of a row, or of all rows of one parameter; three times each, which shares do not see.
 const squares = (list) => list.reduce((sum, x) => sum + x * x, 0);
 
@@ -100,4 +100,6 @@ const offerTolerances = () => {
     });
     write();
   }
+  on($("#tolerate"), "click", tolerate);
+  $("#tolerate").hidden = false;
 };

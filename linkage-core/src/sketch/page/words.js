@@ -1,5 +1,6 @@
 // Numbers in words: digits, prefixes and units, alike in tables, axes, legends, arrows and fields.
 
+const { abs, max, min, PI } = Math;
 const PREFIXES = [["a", 1e-18], ["f", 1e-15], ["p", 1e-12], ["n", 1e-9], ["µ", 1e-6], ["m", 1e-3], ["", 1], ["k", 1e3], ["M", 1e6], ["G", 1e9]];
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -9,8 +10,8 @@ const digits = (x, count = 4) => {
   if (!isFinite(x)) return "–";
   if (x === 0) return "0";
   const [mantissa, power] = x.toExponential(count - 1).split("e"), tens = +power;
-  if (tens >= -4 && tens < 6) return x.toFixed(Math.max(count - 1 - tens, 0)).replace("-", "−");
-  const raised = [...String(Math.abs(tens))].map((digit) => RAISED[digit]).join("");
+  if (tens >= -4 && tens < 6) return x.toFixed(max(count - 1 - tens, 0)).replace("-", "−");
+  const raised = [...String(abs(tens))].map((digit) => RAISED[digit]).join("");
   return `${mantissa.replace("-", "−")}·10${tens < 0 ? "⁻" : ""}${raised}`;
 };
 
@@ -27,7 +28,7 @@ const prefixed = (unit, largest) => {
 /// The units that readers choose among, each with what it is in SI; without a choice the prefix follows the numbers.
 const UNITS = {
   length: { auto: null, m: 1, mm: 1e-3, in: 0.0254, ft: 0.3048 },
-  angle: { "°": Math.PI / 180, rad: 1 },
+  angle: { "°": PI / 180, rad: 1 },
 };
 const chosen = { length: "auto", angle: "°" };
 
@@ -45,16 +46,16 @@ const withUnit = (text, unit) => `${text}${unit === "°" || text === "–" ? "" 
 
 /// A number in the unit in which its largest is shown. What rounding leaves of zero beside that is none.
 const inScale = (x, [unit, times], largest = 0) =>
-  withUnit(digits(Math.abs(x) < 1e-9 * largest ? 0 : x * times), unit);
+  withUnit(digits(abs(x) < 1e-9 * largest ? 0 : x * times), unit);
 /// The same as a reader would write it: no zeros at the end.
 const asTyped = (x, scale) => inScale(x, scale).replace(/(\.\d*?)0+(?=\D|$)/, "$1").replace(/\.(?=\D|$)/, "");
-const words = (x, unit, order = 0) => inScale(x, shownIn(unit, order, Math.abs(x)));
+const words = (x, unit, order = 0) => inScale(x, shownIn(unit, order, abs(x)));
 
 /// The number in SI that a reader writes: bare ones are in the unit shown, others in their own. Nothing where it is none.
 const WRITTEN = {
-  rad: { rad: 1, deg: Math.PI / 180, "°": Math.PI / 180, turn: TURN },
+  rad: { rad: 1, deg: PI / 180, "°": PI / 180, turn: TURN },
   m: { m: 1, mm: 1e-3, cm: 1e-2, um: 1e-6, "µm": 1e-6, km: 1e3, in: 0.0254, ft: 0.3048 },
-  "rad/s": { "rad/s": 1, rpm: TURN / 60, "°/s": Math.PI / 180, "deg/s": Math.PI / 180, "1/s": 1 },
+  "rad/s": { "rad/s": 1, rpm: TURN / 60, "°/s": PI / 180, "deg/s": PI / 180, "1/s": 1 },
   "m/s": { "m/s": 1, "mm/s": 1e-3, "in/s": 0.0254, "ft/s": 0.3048 },
   kg: { kg: 1, g: 1e-3, t: 1e3 },
   N: { N: 1, kN: 1e3, mN: 1e-3, MN: 1e6 },
