@@ -59,7 +59,8 @@ use crate::Record;
 /// machine can be assembled, which the page finds. Velocities,
 /// accelerations and forces are those at a constant rate of the input that curves are drawn over. Reactions, loads,
 /// weights and the drives that are outputs are arrows to one scale, couples arcs to another; both stand at the foot of
-/// the picture. Masses have the symbol of a centre of mass, and cranks that are coupled by a ratio
+/// the picture. Where the largest force is more than twice what a tenth of the poses exceeds, arrows that are longer than
+/// this are cut and have two heads. Masses have the symbol of a centre of mass, and cranks that are coupled by a ratio
 /// their pitch circles. The numbers are the solver's to the last bit, but for `tan`, `exp`, `ln`, `tanh` and `pow`: those
 /// are the browser's, whose last bits may differ. On targets with fused operations the solver itself rounds otherwise. An
 /// `unknown` is searched as the solver searches it. Of a machine with several sets of inputs a reader chooses which one

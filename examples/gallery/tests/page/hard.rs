@@ -293,12 +293,13 @@ mechanism! {
         param far = 0.1m;
         param heavy = 12(kg);
         param base = 0.3m;
+        param times = 2;
         load push: force;
         load twist: torque;
         ground A(0, 0), D(base, 0);
         guide bed through D along 0deg;
         crank pinion(A) -> B { length: 60mm, angle: theta }
-        crank wheel(D) -> C  { length: 100mm, angle: -2 * pinion.angle - 90deg }
+        crank wheel(D) -> C  { length: 100mm, angle: -times * theta - 90deg }
         rrp rod(C), ram(bed) -> P { length: 0.4m, mode: ahead }
         crank planet(B) -> T { length: 30mm, angle: -3 * theta, relative_to: pinion }
         point G on rod at (200mm, -20mm);

@@ -30,9 +30,10 @@ impl Marks {
             pair(at.B.x / 2.0, at.B.y / 2.0),
             pair(at.G.x, at.G.y),
         ];
-        // The second wheel is half as large and turns back; the planet turns three times against its arm of 60 mm, in a
+        // The second wheel is smaller by the ratio of a parameter and turns back; the planet turns three times against its arm of 60 mm, in a
         // ring three times as large. Inside, both have one sign.
-        let radii = [2.0 / 3.0 * solver.base, -solver.base / 3.0, 0.09, 0.03];
+        let gear = solver.base / (1.0 + solver.times);
+        let radii = [solver.times * gear, -gear, 0.09, 0.03];
         Self { centres, masses: [solver.heavy, 2.0, 3.0, 1.0], couples: [twist, 5.0], radii }
     }
 
@@ -64,6 +65,7 @@ fn a_page_has_masses_and_wheels_where_the_solver_has_them() {
             far: random.about(solver.far),
             heavy: random.about(solver.heavy),
             base: random.about(solver.base),
+            times: random.about(solver.times),
         },
         |solver, [q, ..], loads| vec![("marked", Ok(Marks::of(solver, q, loads[1]).numbers()))],
     );
@@ -124,10 +126,12 @@ addEventListener("load", () => setTimeout(() => {
       arcs++;
     });
   }
-  state.p = [state.p[0], 0, state.p[2]];
+  // At a ratio of one wheels roll on nothing, and the other marks stay.
+  state.p = [state.p[0], 0, state.p[2], -1];
   due = SCALE;
   frame();
   is(!isShown(nodes.masses[0]) && isShown(nodes.masses[1]), "a mass of zero is drawn");
+  is(!isShown(nodes.wheels[0]) && isShown(nodes.wheels[2]), "wheels roll on nothing");
   is(arrows >= 6 && arcs >= 6, arrows, "arrows and", arcs, "arcs are drawn");
   told.push(`${arrows} arrows, ${arcs} arcs`);
   parent.postMessage({ failures, told: [...told, "looked"] }, "*");
@@ -138,7 +142,7 @@ addEventListener("load", () => setTimeout(() => {
 #[test]
 #[ignore = "needs chromium"]
 fn a_browser_draws_masses_weights_wheels_and_couples_where_the_solver_has_them() {
-    let (own, moved) = (Marked::new(), Marked { far: 0.25, heavy: 20.0, base: 0.35 });
+    let (own, moved) = (Marked::new(), Marked { far: 0.25, heavy: 20.0, base: 0.35, times: 1.5 });
     let (push, twist, rate) = (60.0, 8.0, 2.0 * PI);
     let mut expected = String::new();
     for (solver, theta) in [(own, 0.6), (own, 2.5), (moved, 0.6)] {
@@ -149,8 +153,8 @@ fn a_browser_draws_masses_weights_wheels_and_couples_where_the_solver_has_them()
         let wheels = [[0.0, 0.0], [solver.base, 0.0], [0.0, 0.0], [at.B.x, at.B.y]];
         write!(
             expected,
-            "{{q: [{theta}], p: [{}, {}, {}], l: [{push}, {twist}], centres: {:?}, weights: {:?}, couples: {:?}, radii: {:?}, wheels: {wheels:?}, drive: {:?}}},",
-            solver.far, solver.heavy, solver.base, marks.centres, marks.weights(), marks.couples, marks.radii, forces.theta.drive
+            "{{q: [{theta}], p: [{}, {}, {}, {}], l: [{push}, {twist}], centres: {:?}, weights: {:?}, couples: {:?}, radii: {:?}, wheels: {wheels:?}, drive: {:?}}},",
+            solver.far, solver.heavy, solver.base, solver.times, marks.centres, marks.weights(), marks.couples, marks.radii, forces.theta.drive
         )
         .unwrap();
     }

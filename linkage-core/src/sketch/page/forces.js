@@ -1,15 +1,20 @@
 // Forces, to one scale.
 
-/// Reactions of joints, to one scale, which stands below: the cycle's largest is 90 pixels long.
-let largestForce = 0;
+/// The force whose arrow is as long as arrows are: the largest over the range. Where this is more than twice what a tenth
+/// of the poses exceeds, it is the latter: a peak, as at the end of a range, leaves the others to be seen. Longer arrows are
+/// cut there, and have two heads.
+let largestForce = 0, areCut = false;
 const sampleForces = () => {
-  largestForce = max(0, ...samples.flatMap((answers) => forcesIn(answers).map(([, force]) => Math.hypot(...(force ?? [])))));
+  const peaks = samples.map((answers) => max(0, ...forcesIn(answers).map(([, force]) => Math.hypot(...(force ?? []))))).sort((a, b) => a - b);
+  const [usual, most] = [peaks[Math.floor(0.9 * STEPS)], peaks[STEPS]];
+  areCut = usual > 0 && most > 2 * usual;
+  largestForce = areCut ? usual : most;
 };
 /// A round force at the foot of the picture, as long as arrows of it are, and where its arrow begins.
 const drawForceScale = (most, [unit, times]) => {
   const round = roundBelow(largestForce * times);
   const length = (round / times / largestForce) * most, y = view.height - 14, right = view.width - 16;
-  nodes.forceWords.textContent = withUnit(digits(round, 1), unit);
+  nodes.forceWords.textContent = withUnit(digits(round, 1), unit) + (areCut ? " (» longer)" : "");
   const wide = roomOf(nodes.forceWords), x = right - wide - 8;
   trace(nodes.forceScale, arrowTo([x - length, y], [x, y]));
   show(nodes.forceWords, true, [x + 8, y + 4]);
@@ -32,8 +37,8 @@ const arrowsOf = (answers) => {
   return forcesIn(answers).map(([at, force], k) => {
     const arrow = own[k], size = Math.hypot(...(force ?? []));
     if (!at || !(size * scale > 1)) return { arrow };
-    const [x, y] = onPage(at);
-    return { arrow, size, from: [x, y], to: [x + force[0] * scale, y - force[1] * scale] };
+    const [x, y] = onPage(at), by = scale * min(1, largestForce / size);
+    return { arrow, size, from: [x, y], to: [x + force[0] * by, y - force[1] * by] };
   }).concat(MACHINE.marks ? markedLines(answers) : []);
 };
 /// Writes a number beside a place, at its left or right, and best on no joint.
@@ -55,7 +60,7 @@ const drawForces = (pose, arrows) => {
     show(arrow.path, to);
     show(arrow.text, false);
     if (!to) continue;
-    trace(arrow.path, arrowTo(from, to));
+    trace(arrow.path, arrowTo(from, to) + (size > largestForce * (1 + 1e-9) ? arrowTo(from, along(to, from, 6)) : ""));
     if (apart(from, to) >= 25 && view.width >= 500) tellForce(arrow, pose, withUnit(digits(size * times, 3), unit), to, to[0] < from[0]);
   }
   return isAny ? drawForceScale(mostArrow(), [unit, times]) - 16 : view.width - 16;

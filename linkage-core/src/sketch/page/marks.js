@@ -85,7 +85,8 @@ const drawMarks = (answers, end) => {
   const { pose } = answers, own = massesIn(answers), all = wheelsIn(answers), [unit, times] = shownIn("N·m", 0, largestCouple);
   nodes.masses.forEach((node, k) => show(node, own[k], own[k] && onPage(own[k])));
   nodes.wheels.forEach((node, k) => {
-    const { link, at, radius } = all[k], r = short(radius * view.scale), frame = link === null ? { cos: 1, sin: 0 } : pose.link(link);
+    // At a ratio of one wheels roll on nothing.
+    const { link, at, radius } = all[k], r = isFinite(radius) && short(radius * view.scale), frame = link === null ? { cos: 1, sin: 0 } : pose.link(link);
     show(node, r && at && frame);
     if (!r || !at || !frame) return;
     trace(node, `M${short(r - 8)} 0H${r}A${r} ${r} 0 0 1 ${-r} 0A${r} ${r} 0 0 1 ${r} 0`);

@@ -116,7 +116,8 @@ const answersAt = (pose) => {
   const { q, error } = pose, found = { pose, refused: error };
   for (const name of ["motion", "forces", "holding", "applied", "marked"]) {
     const { numbers, error: own } = (!error && MACHINE[name]?.(state.p, q, rates(), running?.a ?? atRest, state.l, atRest)) || {};
-    found[name] = own ? null : numbers;
+    // A wheel without a size leaves the other marks.
+    found[name] = own && (name !== "marked" || own.kind !== "NotFinite") ? null : numbers;
     if (name === "motion" || name === "forces") found.refused ??= own;
   }
   return found;
@@ -178,8 +179,9 @@ const why = (error) => {
   const { kind, group, by, name } = error, own = REASONS[kind]?.(error);
   if (own) return own;
   if (kind === "OutOfReach") return `${group} cannot be assembled: ${words(by, "m")} are missing`;
-  if (kind === "Singular") return `${group}: undefined in this pose, at a limit or a dead point`;
+  const isSpring = group.startsWith("spring ");
+  if (kind === "Singular") return `${group}: ${isSpring || group.startsWith("force ") ? "its ends meet, and it has no direction" : "undefined in this pose, at a limit or a dead point"}`;
   if (kind === "NotFinite") return `${group} leads to a result that is not finite`;
-  const mayBeZero = group.startsWith("spring ") || /^(mass|inertia) on /.test(name);
+  const mayBeZero = isSpring || /^(mass on|inertia on|friction at) /.test(name);
   return `${group}: ${name} must ${mayBeZero ? "not be negative" : "be greater than zero"}`;
 };

@@ -65,7 +65,7 @@ fn masses<'s>(kinematics: &Kinematics<'s>) -> Vec<Sym<'s>> {
 fn radii<'s>(kinematics: &Kinematics<'s>, wheels: &Wheels) -> [Sym<'s>; 2] {
     let at = |point: PointId| kinematics.point(point);
     let apart = at(wheels.centres[0]).to(at(wheels.centres[1]));
-    let ratio = kinematics.builder.constant(wheels.ratio.clone());
+    let ratio = kinematics.jet(&wheels.ratio).value;
     let own = apart.x.hypot(apart.y) / (ratio - kinematics.builder.integer(1));
     [ratio * own, own]
 }

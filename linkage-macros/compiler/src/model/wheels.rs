@@ -14,8 +14,9 @@ pub(crate) struct Wheels {
     /// The body of each; the ground stands for a ring or a sun that does not turn.
     pub bodies: [Carrier; 2],
     pub centres: [PointId; 2],
-    /// The rate of the second wheel over that of the first, against what carries both: neither zero nor one.
-    pub ratio: Exact,
+    /// The rate of the second wheel over that of the first, against what carries both, which does not move: a number
+    /// that is neither zero nor one, or an expression of parameters.
+    pub ratio: Scalar,
 }
 
 /// A crank: its link, where it turns, the angle that is given and the body against which it is.
@@ -29,9 +30,9 @@ struct TurnedLink<'m> {
 /// A number as a function of the inputs.
 enum ByInputs {
     /// A multiple of one input, but for what does not move.
-    Multiple(InputId, Exact),
-    /// It does not move; its value, where no parameter is in it.
-    Still(Option<Exact>),
+    Multiple(InputId, Scalar),
+    /// It does not move.
+    Still(Scalar),
 }
 
 /// The wheels of a mechanism.
@@ -54,9 +55,11 @@ impl Gearing<'_> {
             }
         });
         let is_rolling = |wheels: &Wheels| {
-            !wheels.ratio.is_zero()
-                && !wheels.ratio.is_one()
-                && wheels.centres[0] != wheels.centres[1]
+            let is_none = match &wheels.ratio {
+                Scalar::Constant(ratio) => ratio.is_zero() || ratio.is_one(),
+                _ => false,
+            };
+            !is_none && wheels.centres[0] != wheels.centres[1]
         };
         pairs.filter(is_rolling).collect()
     }
@@ -73,7 +76,7 @@ impl Gearing<'_> {
         let (first, ratio) = match crank.angle.links[..] {
             [(first, times)] => {
                 self.is_still(&crank.angle.rest).then_some(())?;
-                (first, Exact::integer(times.into()))
+                (first, whole(times.into()))
             }
             [] => before.iter().find_map(|first| {
                 let is_alike = first.relative_to == Carrier::Ground;
@@ -99,7 +102,7 @@ impl Gearing<'_> {
     ) -> Option<Wheels> {
         let ratio = match crank.angle.links[..] {
             [(of, times)] if of == carrier && self.is_still(&crank.angle.rest) => {
-                Exact::integer(times.into())
+                whole(times.into())
             }
             [] => {
                 let arm = before.iter().find(|arm| arm.link == carrier)?;
@@ -111,7 +114,7 @@ impl Gearing<'_> {
         (self.0.owner(centre) == Some(Body::Ground)).then(|| Wheels {
             bodies: [Carrier::Ground, Carrier::Link(crank.link)],
             centres: [centre, crank.centre],
-            ratio: ratio.neg(),
+            ratio: negative(ratio),
         })
     }
 
@@ -122,14 +125,16 @@ impl Gearing<'_> {
     }
 
     /// The rate of the second over that of the first, where both are multiples of one input.
-    fn ratio(&self, first: &TurnedLink<'_>, second: &TurnedLink<'_>) -> Option<Exact> {
+    fn ratio(&self, first: &TurnedLink<'_>, second: &TurnedLink<'_>) -> Option<Scalar> {
         match [first, second].map(|crank| self.turned_by_an_input(crank)) {
-            [Some((input, by)), Some((other, times))] if input == other => times.div(&by),
+            [Some((input, by)), Some((other, times))] if input == other => {
+                chained(times, Operator::Div, by)
+            }
             _ => None,
         }
     }
 
-    fn turned_by_an_input(&self, crank: &TurnedLink<'_>) -> Option<(InputId, Exact)> {
+    fn turned_by_an_input(&self, crank: &TurnedLink<'_>) -> Option<(InputId, Scalar)> {
         match self.line(&crank.angle.rest)? {
             ByInputs::Multiple(input, times) if crank.angle.links.is_empty() => {
                 Some((input, times))
@@ -144,23 +149,46 @@ impl Gearing<'_> {
 
     fn line(&self, number: &Scalar) -> Option<ByInputs> {
         match number {
-            Scalar::Input(input) => Some(ByInputs::Multiple(*input, Exact::integer(1))),
-            Scalar::Constant(value) => Some(ByInputs::Still(Some(value.clone()))),
+            Scalar::Input(input) => Some(ByInputs::Multiple(*input, whole(1))),
             Scalar::Let(id) if self.0.lets[id.index()].links.is_empty() => {
                 self.line(&self.0.lets[id.index()].rest)
             }
             Scalar::Negate(value) => Some(match self.line(value)? {
-                ByInputs::Multiple(input, times) => ByInputs::Multiple(input, times.neg()),
-                ByInputs::Still(value) => ByInputs::Still(value.map(|value| value.neg())),
+                ByInputs::Multiple(input, times) => ByInputs::Multiple(input, negative(times)),
+                ByInputs::Still(value) => ByInputs::Still(negative(value)),
             }),
             Scalar::Chain(first, rest) => {
                 rest.iter().try_fold(self.line(first)?, |a, (operator, b)| {
                     combined(a, *operator, self.line(b)?)
                 })
             }
-            _ => self.is_still(number).then_some(ByInputs::Still(None)),
+            _ => self.is_still(number).then(|| ByInputs::Still(number.clone())),
         }
     }
+}
+
+fn whole(number: i64) -> Scalar {
+    Scalar::Constant(Exact::integer(number))
+}
+
+fn negative(number: Scalar) -> Scalar {
+    match number {
+        Scalar::Constant(value) => Scalar::Constant(value.neg()),
+        number => Scalar::Negate(Box::new(number)),
+    }
+}
+
+/// Two numbers by an operator; none where the second is zero and divides.
+fn chained(a: Scalar, operator: Operator, b: Scalar) -> Option<Scalar> {
+    let (Scalar::Constant(x), Scalar::Constant(y)) = (&a, &b) else {
+        return Some(Scalar::Chain(Box::new(a), vec![(operator, b)]));
+    };
+    Some(Scalar::Constant(match operator {
+        Operator::Add => x.add(y),
+        Operator::Sub => x.sub(y),
+        Operator::Mul => x.mul(y),
+        Operator::Div => x.div(y)?,
+    }))
 }
 
 fn combined(a: ByInputs, operator: Operator, b: ByInputs) -> Option<ByInputs> {
@@ -170,22 +198,15 @@ fn combined(a: ByInputs, operator: Operator, b: ByInputs) -> Option<ByInputs> {
         (Multiple(input, times), Add | Sub, Still(_)) | (Still(_), Add, Multiple(input, times)) => {
             Multiple(input, times)
         }
-        (Still(_), Sub, Multiple(input, times)) => Multiple(input, times.neg()),
-        (Multiple(input, a), Add, Multiple(other, b)) if input == other => {
-            Multiple(input, a.add(&b))
+        (Still(_), Sub, Multiple(input, times)) => Multiple(input, negative(times)),
+        (Multiple(input, a), Add | Sub, Multiple(other, b)) if input == other => {
+            Multiple(input, chained(a, operator, b)?)
         }
-        (Multiple(input, a), Sub, Multiple(other, b)) if input == other => {
-            Multiple(input, a.sub(&b))
+        (Multiple(input, times), Mul | Div, Still(by))
+        | (Still(by), Mul, Multiple(input, times)) => {
+            Multiple(input, chained(times, operator, by)?)
         }
-        (Multiple(input, times), Mul, Still(Some(by)))
-        | (Still(Some(by)), Mul, Multiple(input, times)) => Multiple(input, times.mul(&by)),
-        (Multiple(input, times), Div, Still(Some(by))) => Multiple(input, times.div(&by)?),
-        (Still(a), operator, Still(b)) => Still(a.zip(b).and_then(|(a, b)| match operator {
-            Add => Some(a.add(&b)),
-            Sub => Some(a.sub(&b)),
-            Mul => Some(a.mul(&b)),
-            Div => a.div(&b),
-        })),
+        (Still(a), operator, Still(b)) => Still(chained(a, operator, b)?),
         _ => return None,
     })
 }
@@ -204,6 +225,7 @@ fn cranks_of(group: &Group) -> impl Iterator<Item = TurnedLink<'_>> {
 
 #[cfg(test)]
 mod tests {
+    use crate::model::expr::{Operator, Scalar};
     use crate::model::mechanism::Carrier;
     use crate::oracle::mechanism;
 
@@ -220,9 +242,27 @@ mod tests {
         };
         let wheels = super::wheels(&mechanism).into_iter().map(|wheels| {
             let [first, second] = wheels.bodies.map(name);
-            format!("{first} {second} {}", wheels.ratio.to_f64())
+            format!("{first} {second} {}", value(&wheels.ratio))
         });
         wheels.collect()
+    }
+
+    /// The value of a ratio where the parameter is 2.
+    fn value(ratio: &Scalar) -> f64 {
+        match ratio {
+            Scalar::Constant(number) => number.to_f64(),
+            Scalar::Param(_) => 2.0,
+            Scalar::Negate(number) => -value(number),
+            Scalar::Chain(first, rest) => {
+                rest.iter().fold(value(first), |a, (operator, b)| match operator {
+                    Operator::Add => a + value(b),
+                    Operator::Sub => a - value(b),
+                    Operator::Mul => a * value(b),
+                    Operator::Div => a / value(b),
+                })
+            }
+            other => panic!("{other:?} is none of a ratio"),
+        }
     }
 
     #[test]
@@ -241,9 +281,12 @@ mod tests {
             (on_d("t + 10deg"), &[]),
             (on_b("-t"), &[]),
             (on_d("-2 * u"), &["FG DE -2"]),
-            // Another input, a parameter, or no multiple.
+            // A parameter in the ratio.
+            (on_d("p * t"), &["AB DE 2"]),
+            (on_d("10deg - t * 3 / (p + 2)"), &["AB DE -0.75"]),
+            (on_b("t / p - t"), &["ground BE 0.5"]),
+            // Another input, or no multiple.
             (on_b("u"), &[]),
-            (on_d("p * t"), &[]),
             (on_d("sin(t)"), &[]),
             (on_d("t + u"), &[]),
         ] {
