@@ -356,6 +356,6 @@ fn nearest(ends: [[f64; 2]; 2], points: &[(usize, [f64; 2])]) -> Option<[[f64; 2
 /// The length of a rod that stays in its tube at full extension.
 const GRIP: f64 = 10.0;
 /// A body that nothing is on.
-const POINTER: f64 = 44.0;
+pub(super) const POINTER: f64 = 44.0;
 /// Half of a guide that nothing slides on.
 const IDLE: f64 = 50.0;

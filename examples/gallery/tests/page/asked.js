@@ -95,12 +95,87 @@ Object.assign(STEPS_OF, {
       const strokes = [...drawing.querySelectorAll("path")].map((path) => path.style.stroke).filter((stroke) => stroke && stroke !== "none");
       expect(strokes.length > 3 && !text.includes("var(--"), "a saved drawing has no colours of its own");
     }
+    const [, , wide, high] = new DOMParser().parseFromString(chartsText, "image/svg+xml").documentElement.getAttribute("viewBox").split(" ").map(Number);
+    const shown = charts.filter(({ svg }) => svg.style.display !== "none");
+    expect(wide === shown[0].width && high === shown.reduce((sum, { height }) => sum + height + 8, 0), "the curves are", wide, "by", high);
     expect(chartsText.split("<svg").length - 2 === charts.filter(({ svg }) => svg.style.display !== "none").length, "charts are missing");
     $("#png").click();
     for (let k = 0; k < 40 && saved.length < 4; k++) await new Promise((done) => setTimeout(done, 50));
     expect(saved.length === 4 && saved[3]?.type === "image/png" && saved[3].size > 2000, "the PNG is", saved[3]?.size);
     Object.assign(URL, { createObjectURL });
     HTMLAnchorElement.prototype.click = click;
+  },
+  /// A joint that is clicked tells the components of its reaction, in newtons.
+  async reacts() {
+    play(false);
+    const { point, at } = reactions[0];
+    pick({ point });
+    await drawn();
+    const terms = [...$("#picked dl").children].map((node) => node.textContent), { forces } = answersAt(new Pose(state.q));
+    for (const k of [at, at + 1]) {
+      const said = terms[terms.indexOf(efforts[k].label) + 1], most = Math.max(...samples.map(({ forces }) => Math.abs(forces[k])));
+      expect(Math.abs(numberIn(said ?? "", "N", ["N", 1]) - forces[k]) <= 1e-3 * Math.abs(forces[k]) + 1e-9 * most, efforts[k].label, "is", said, "for", forces[k]);
+    }
+    pick({ point });
+    await drawn();
+  },
+  /// The points whose paths are drawn without being asked for.
+  async traced(...names) {
+    expect(tracedPoints.map((point) => PLAN.points[point]).join() === names.join(), "paths are those of", tracedPoints.map((point) => PLAN.points[point]).join());
+  },
+  /// Curves of an output stand above those of the drives alone.
+  async drives(name, ...titles) {
+    const found = chartsOf(name).filter(({ isMotion }) => !isMotion).map(({ title }) => title);
+    expect(found.join() === titles.join(), "beside", name, "are", found.join());
+  },
+  /// The cursor of the curves goes with a pointer that is pressed on them, and with no other.
+  async scrub() {
+    play(false);
+    const [{ svg, X, width }] = charts, box = svg.getBoundingClientRect(), [from, to] = domain(), [a, b] = [0.25, 0.6].map((share) => from + share * (to - from));
+    const touch = async (kind, x) => {
+      const clientX = box.left + (X(x) * box.width) / width;
+      svg.dispatchEvent(new PointerEvent(kind, { clientX, clientY: box.top + 60, pointerId: 3, bubbles: true }));
+      await drawn();
+    };
+    const isAt = (x) => Math.abs(state.q[state.axis] - x) < 2e-3 * (to - from);
+    await touch("pointerdown", a);
+    expect(isAt(a), "pressed, the cursor is at", state.q[state.axis], "for", a);
+    await touch("pointermove", b);
+    expect(isAt(a), "a pointer that is not pressed moves it to", state.q[state.axis]);
+    isPressed = true;
+    await touch("pointermove", b);
+    isPressed = false;
+    expect(isAt(b), "drawn, it is at", state.q[state.axis], "for", b);
+  },
+  /// A block that a link does not reach: its pin's line, and between both what is missing, as long as it is said.
+  async unreached() {
+    play(false);
+    const failed = () => new Pose(state.q).error;
+    while (!failed()) state.p[0] *= 1.1;
+    draw(CURVES);
+    await drawn();
+    const pose = new Pose(state.q), lineOf = (path) => path.getAttribute("d").slice(1).split("M")[0].split("L").map((spot) => spot.split(" ").map(Number));
+    const k = pose.failed.members.findIndex(({ shape }) => shape === "block"), [a, b] = lineOf(nodes.reaches[k]), gap = lineOf(nodes.missing);
+    const { cos, sin } = pose.guide(pose.failed.members[k].guide), along = [(b[0] - a[0]) * cos - (b[1] - a[1]) * sin, (b[0] - a[0]) * sin + (b[1] - a[1]) * cos];
+    expect(Math.abs(Math.abs(along[0]) - 240) < 0.3 && Math.abs(along[1]) < 0.3, "the line is", a, b, "along", cos, sin);
+    const foot = [0, 1].map((n) => (a[n] + b[n]) / 2);
+    expect(gap.some((end) => apart(end, foot) < 0.5), "the line passes", foot, "beside what is missing", gap);
+    expect(Math.abs(apart(...gap) - failed().by * view.scale) < 0.3, "missing are", apart(...gap), "for", failed().by * view.scale);
+    $("#reset").click();
+    await drawn();
+  },
+  /// A spring of which an end stands nowhere is not drawn.
+  async sprung() {
+    play(false);
+    const [{ ends }] = PLAN.springs, d = () => nodes.spring[0].getAttribute("d");
+    expect(d().length > 100, "the spring is", d());
+    let z = inputs[0].to;
+    while (!new Pose([z]).error) z += 0.1 * sizeOf(inputs[0]);
+    go([z]);
+    await drawn();
+    expect(ends.some((end) => !new Pose([z]).point(end)) && d() === "", "in a gap the spring is", d());
+    $("#reset").click();
+    await drawn();
   },
   /// Run by itself, a mass on a spring swings as the formula says.
   async runs(k, m) {
@@ -197,7 +272,7 @@ Object.assign(STEPS_OF, {
       expect(Math.abs(state.p[k] - 0.0635) < 1e-15, "2.5 in are", state.p[k]);
       await type(`param_${name}`, `${(1.25 * to) / size}`);
       expect(Math.abs(state.p[k] - 1.25 * to) < 1e-12, name, "beyond its slider is", state.p[k]);
-      expect(+$(`#param_${name}`).value === state.p[k], "the slider is at", $(`#param_${name}`).value);
+      expect(Math.abs($(`#param_${name}`).value - state.p[k]) < 1e-15, "the slider is at", $(`#param_${name}`).value);
     }
     document.activeElement.blur();
     $("#reset").click();
@@ -226,6 +301,29 @@ Object.assign(STEPS_OF, {
       }
     }
     expect(seen > 40, "only", seen, "arrows");
+  },
+  /// Where a peak would leave other arrows too short, its arrow is cut and has two heads.
+  async cut() {
+    play(false);
+    const most = view.width < 500 ? 36 : 90;
+    let [cut, whole] = [0, 0];
+    for (let k = 0; k <= STEPS; k += 5) {
+      go([samples[k].x]);
+      await drawn();
+      for (const { arrow, size } of arrowsOf(answersAt(new Pose(state.q)))) {
+        if (!arrow || arrow.path.getAttribute("visibility") === "hidden") continue;
+        const d = arrow.path.getAttribute("d"), [, x, y, u, v] = /^M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)/.exec(d).map(Number);
+        const isCut = size > largestForce, length = Math.hypot(u - x, v - y);
+        expect(Math.abs(length - Math.min(1, size / largestForce) * most) < 0.2, size, "newtons are", length, "long");
+        expect(d.split("M").length === (isCut ? 5 : 3), size, "newtons have the heads", d);
+        isCut ? cut++ : whole++;
+      }
+    }
+    expect(cut > 3 && whole > 100, cut, "arrows are cut,", whole, "are whole");
+    // The force that every tenth pose exceeds, and its scale.
+    const peaks = samples.map(({ forces, applied }) => Math.max(Math.abs(forces[efforts.findIndex(({ effort }) => effort === driven)]), ...applied.map(Math.abs)));
+    expect(peaks.filter((size) => size > largestForce).length === STEPS / 10, "cut are", peaks.filter((size) => size > largestForce).length);
+    expect(Math.max(...peaks) > 2 * largestForce && nodes.forceWords.textContent === "20 kN (» longer)", "the scale is", nodes.forceWords.textContent);
   },
   /// Played, an input moves by its rate, so much slower or faster than our time.
   async pace() {

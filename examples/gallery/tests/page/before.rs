@@ -14,7 +14,7 @@ mechanism! {
         crank AB(A) -> B        { length: 0.15m, angle: theta }
         rrr   BC(B), DC(D) -> C { lengths: (coupler, rocker), mode: left }
         point P on BC at (0.25m, 0.2m);
-        output P, DC;
+        output P, DC, AB;
     }
 }
 
@@ -35,8 +35,10 @@ fn html() -> String {
     let swings = angles()
         .zip(turns)
         .map(|(theta, turn)| (theta, after.position(theta).expect("it turns").DC.angle() + turn));
+    let turned = angles().map(|theta| (theta, theta - core::f64::consts::TAU));
     let page = after.page().title("Before and after").traces(["P"]).curves(["DC", "P"]);
-    page.before(&before).points(points).wanted("DC", swings).to_html().expect("all is there")
+    let page = page.wanted("DC", swings).wanted("AB", turned);
+    page.before(&before).points(points).to_html().expect("all is there")
 }
 
 /// The steps of a reader, and what is seen.
@@ -60,6 +62,14 @@ addEventListener("load", () => setTimeout(() => {
   const [swing, velocity] = charts;
   is("crosses on the curve", swing.aims.length === 12 && swing.aims.every(([, y], k) => Math.abs(y - swing.values[0][20 * k]) < 1e-9));
   is("none on velocities", velocity.aims.length === 0);
+  // Of a crank that turns fully every cross is in the curve's own turn.
+  showCurvesOf("AB");
+  draw(CURVES);
+  frame();
+  is("crosses on the crank's line", charts[0].aims.length === 12 && charts[0].aims.every(([, y], k) => Math.abs(y - 30 * k) < 1e-9));
+  showCurvesOf("DC");
+  draw(CURVES);
+  frame();
   is("curve before", swing.before[0].some((y, k) => Math.abs(y - swing.values[0][k]) > 1));
   is("kept", $("#keep").getAttribute("aria-pressed") === "true");
   is("as declared", state.p.join() === PAGE.params.map(({ value }) => value).join());
@@ -76,6 +86,7 @@ addEventListener("load", () => setTimeout(() => {
   const cells = [...$("#tolerances table").rows].map((row) => [...row.cells].map(({ textContent }) => textContent));
   told.push(cells.join("; "), $("#tolerances p").textContent);
   const larger = Math.abs(effects[0]) > Math.abs(effects[1]) ? "coupler" : "rocker";
+  is("a pose at every end", !$("#tolerances p").textContent.includes("no pose"));
   is("the largest share first", cells.length === 5 && cells[1][0] === larger && parseFloat(cells[1][2]) > 50);
   const [worst, deviation] = [3, 4].map((k) => parseFloat(cells[k][1]) / 180 * Math.PI), sum = Math.abs(effects[0]) + Math.abs(effects[1]);
   is("worst case", Math.abs(worst / sum - 1) < 1e-3);

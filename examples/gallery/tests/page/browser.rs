@@ -47,7 +47,9 @@ pub(super) fn scripted(
     flags: &[&str],
     script: impl Fn(&str) -> String,
 ) -> String {
-    let mut page = format!("<!DOCTYPE html><body><pre></pre><script>{GATHER}</script>");
+    let mut page = format!(
+        "<!DOCTYPE html><meta charset=\"utf-8\"><body><pre></pre><script>{GATHER}</script>"
+    );
     for Visit { name, html, width, steps } in visits {
         let script = script(steps);
         let own = html.replace("</html>", &format!("<script>{script}</script></html>"));
@@ -70,20 +72,20 @@ fn page(name: &str) -> String {
 
 fn visits() -> Vec<Visit> {
     let visit = |name: &'static str, width, steps| Visit { name, html: page(name), width, steps };
-    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["touch", "B"], ["fingers", "B"], ["keys"], ["texts"], ["sliders"], ["ends"], ["typed"], ["pace"], ["address"], ["picks", "C"], ["saves"], ["strip"]]"#;
+    let shear = r#"[["look"], ["crank"], ["coupler", "blade"], ["touch", "B"], ["fingers", "B"], ["keys"], ["texts"], ["sliders"], ["ends"], ["typed"], ["pace"], ["address"], ["picks", "C"], ["scrub"], ["saves"], ["strip"]]"#;
     vec![
         visit("flying_shear::FlyingShear", 1280, shear),
         visit("flying_shear::FlyingShear", 360, shear),
         visit(
             "range::FourBar",
             1280,
-            r#"[["look"], ["gap"], ["limit", "C", 1, 0.5], ["texts"], ["sliders"]]"#,
+            r#"[["look"], ["gap"], ["limit", "C", 1, 0.5], ["texts"], ["sliders"], ["traced", "C"]]"#,
         ),
         visit("range::FourBar", 360, r#"[["look"], ["gap"]]"#),
         visit(
             "excavator::Excavator",
             1280,
-            r#"[["look"], ["reach", "tooth"], ["coupler", "G"], ["texts"]]"#,
+            r#"[["look"], ["held"], ["nearest"], ["reach", "tooth"], ["coupler", "G"], ["texts"]]"#,
         ),
         visit(
             "set_point::Press",
@@ -93,12 +95,12 @@ fn visits() -> Vec<Visit> {
         visit(
             "suspension::ByTheWheel",
             360,
-            r#"[["look"], ["coupler", "W"], ["limit", "W", 0, 2], ["sliders"]]"#,
+            r#"[["look"], ["coupler", "W"], ["limit", "W", 0, 2], ["sliders"], ["sprung"]]"#,
         ),
         visit(
             "press_friction::CutPress",
             1280,
-            r#"[["look"], ["band"], ["texts"], ["loads"], ["sliders"], ["told"]]"#,
+            r#"[["look"], ["band"], ["texts"], ["loads"], ["sliders"], ["told"], ["drives", "ram", "theta.drive"]]"#,
         ),
         visit("press_friction::CutPress", 360, r#"[["look"], ["band"], ["sliders"]]"#),
         visit(
@@ -114,7 +116,15 @@ fn visits() -> Vec<Visit> {
             steps: r#"[["look"], ["jams", 3]]"#,
         },
         visit("jansen_leg::JansenLeg", 1280, r#"[["look"], ["coupler", "foot"]]"#),
-        visit("six_bar_reactions::SixBar", 1280, r#"[["look"], ["arrows"]]"#),
+        visit("six_bar_reactions::SixBar", 1280, r#"[["look"], ["arrows"], ["reacts"]]"#),
+        visit("slider_crank::OffsetSliderCrank", 800, r#"[["look"], ["typed"]]"#),
+        Visit {
+            name: "hard::Slanted",
+            html: hard::Slanted::new().page().to_html().unwrap(),
+            width: 800,
+            steps: r#"[["look"], ["unreached"], ["traced", "F"]]"#,
+        },
+        visit("scissor_lift::ScissorLift", 800, r#"[["look"], ["cut"]]"#),
         visit("toggle_clamp::ToggleClamp", 800, r#"[["look"], ["ends"], ["sliders"]]"#),
         visit("counterweight::FourBar", 1280, r#"[["look"], ["typed"], ["sliders"]]"#),
         visit("calibration::SixBar", 1280, r#"[["keeps"]]"#),

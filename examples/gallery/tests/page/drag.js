@@ -119,6 +119,27 @@ const STEPS_OF = {
       expect(off < 1, name, "is off the line by", off, "pixels");
     });
   },
+  /// An input that would leave its range goes to its end, and another one does the rest.
+  async held() {
+    const [a, b, ...others] = inputs, s = sizeOf(a), middle = ({ from, to }) => (from + to) / 2;
+    const moves = [[1, 0.5], [1, 1], ...others.map(() => [0, 0])], free = [0.05 * s, 0.02 * s], q = [a.to - 0.01 * s, ...[b, ...others].map(middle)];
+    const e = [0, 1].map((axis) => moves[0][axis] * free[0] + moves[1][axis] * free[1]), [x, y] = change(moves, e, q);
+    // The first may do 0.01; what is left of e, (0.06, 0.04) s, is met best by half of its sum. Damping takes a ten thousandth.
+    expect(Math.abs(x - 0.01 * s) < 1e-9 && Math.abs(y / (0.05 * s) - 1) < 1e-3, "the steps are", x / s, y / s);
+  },
+  /// A pointer on a joint takes that one, also where others are near.
+  async nearest() {
+    play(false);
+    const pose = new Pose(state.q), crowd = movable.filter((one) => movable.some((other) => other !== one && apart(pose.point(one), pose.point(other)) * view.scale < 28));
+    expect(crowd.length > 2, "near each other are", crowd.length);
+    for (const one of crowd) expect(pointNear(pose.point(one), 28) === one, PLAN.points[one], "is not taken");
+    // Nearer than half the way to the nearest other one.
+    for (const one of movable) {
+      const [at, ...others] = [one, ...movable.filter((other) => other !== one)].map((point) => pose.point(point));
+      const to = others.reduce((best, other) => (apart(at, other) < apart(at, best) ? other : best)), place = at.map((x, k) => x + 0.4 * (to[k] - x));
+      expect(pointNear(place, 1e4) === one, PLAN.points[one], "is not the nearest");
+    }
+  },
   /// Into a gap and out of it.
   async gap() {
     play(false);
@@ -130,7 +151,14 @@ const STEPS_OF = {
       met += isGap;
       expect(isGap === $("#state").textContent.includes("cannot be assembled"), "the reason is", $("#state").textContent);
       expect(isGap === (nodes.reach.getAttribute("visibility") !== "hidden"), "what is missing shows in a pose that is whole");
-      if (isGap) expect(nodes.missing.getAttribute("d").startsWith("M"), "nothing is missing in a gap");
+      if (isGap) {
+        const [, ...ends] = /^M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)$/.exec(nodes.missing.getAttribute("d")).map(Number), { by } = new Pose(state.q).error;
+        const length = Math.hypot(ends[2] - ends[0], ends[3] - ends[1]), text = nodes.missingWords, middle = (ends[0] + ends[2]) / 2;
+        expect(Math.abs(length - by * view.scale) < 0.2, "missing are", length, "pixels for", by * view.scale);
+        expect(text.textContent.replace(" missing", "") === words(by, "m"), "what is missing is", text.textContent);
+        const left = /\(([-\d.]+)/.exec(text.getAttribute("transform"))[1] - middle, right = left + text.getComputedTextLength();
+        expect(left > 8 || right < 0, "what is missing is told from", left, "to", right, "beside its line");
+      }
       expect(isGap === (nodes.ghost.getAttribute("visibility") !== "hidden"), "the last pose does not show");
       const seen = [nodes.reach, nodes.ghost].flatMap((node) => [...node.querySelectorAll("*")]).filter((node) => getComputedStyle(node).visibility === "visible");
       expect(isGap || !seen.length, "a part of what is hidden shows:", seen[0]?.outerHTML.slice(0, 60));

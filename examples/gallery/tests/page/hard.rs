@@ -317,6 +317,21 @@ mechanism! {
 }
 
 mechanism! {
+    /// Two sliders behind each other, the second on a slope, which a longer crank leaves behind.
+    pub struct Slanted {
+        input theta: angle;
+        param arm = 60mm;
+        ground A(0, 0), E(400mm, -50mm);
+        guide bed through A along 20deg;
+        guide slope through E along 65deg;
+        crank AB(A) -> B { length: arm, angle: theta }
+        rrp BC(B), ram(bed) -> C { length: 150mm, mode: ahead }
+        rrp CD(C), block(slope) -> F { length: 260mm, mode: ahead }
+        output C, F;
+    }
+}
+
+mechanism! {
     /// A boom on a cylinder, and a block that is pushed along a slope.
     pub struct Pushed {
         input s, x: length;

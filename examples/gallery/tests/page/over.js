@@ -62,9 +62,13 @@
       const on = (isForce ? spots.filter(isOfJoint) : spots).find(([x, y, , half]) => Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom)) < half);
       if (on) fault(`${name} on a ${on[2]}`);
     }
-    for (const { svg, width } of charts) {
+    for (const { svg, width, left, top, bottom, height } of charts) {
       const own = texts(svg);
       overlaps(own);
+      for (const dot of svg.querySelectorAll(".dot")) {
+        const { e, f } = dot.getCTM();
+        if (svg.style.display !== "none" && isSeen(dot) && (f < top - 5 || f > height - bottom + 5 || e < left - 1)) fault("a dot beyond its chart");
+      }
       for (const [name, { left, right }] of own) if (left < -0.5 || right > width + 0.5) fault(`${name} over the edge of a chart`);
     }
     for (const arrow of [...figure.querySelectorAll(".arrow")].filter(isSeen)) {

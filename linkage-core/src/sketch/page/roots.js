@@ -272,6 +272,6 @@ Object.assign(REASONS, {
       ? `${group}: no ${wanted} root between its ends; the equation ${found} through zero at ${digits(other.at)}`
       : `${group}: no solution between its ends, ${words(by, unit)} is missing`;
   },
-  SeveralDeadPoints: ({ group }) => `${group}: several dead points between its ends; narrow the interval`,
+  SeveralDeadPoints: ({ group }) => `${group}: several dead points between the ends; narrow the interval`,
   Invalid: ({ group, name }) => name === ENDS && `${group}: the ends of between must be at most a turn apart`,
 });

@@ -203,6 +203,14 @@ fn pages_and_films_have_the_same_colours() {
     }
 }
 
+/// Pointers of links with one joint, and what guides exceed their blocks by, have one length on pages and in films.
+#[test]
+fn pages_and_films_have_the_same_lengths() {
+    let [picture, slides] = [include_str!("picture.js"), include_str!("slides.js")];
+    assert!(picture.contains(&format!("const POINTER = {};", crate::sketch::bodies::POINTER)));
+    assert!(slides.contains(&format!("const OVERRUN = {};", crate::sketch::style::OVERRUN)));
+}
+
 /// The relative luminance of a colour `#rrggbb` or `#rgb` (Web Content Accessibility Guidelines 2.2).
 fn luminance(colour: &str) -> f64 {
     let digits: Vec<u32> = colour.chars().filter_map(|digit| digit.to_digit(16)).collect();

@@ -1,9 +1,11 @@
 //! Numbers in words, and words that readers write as numbers.
 
 use std::format;
+use std::string::ToString;
 
 use super::node;
-use crate::sketch::page::assembled::{ARITHMETIC, READS};
+use crate::SolveError;
+use crate::sketch::page::assembled::{ARITHMETIC, FRICTION, READS, SEARCH};
 
 /// A computation, and its result.
 const CASES: &[(&str, &str)] = &[
@@ -74,6 +76,47 @@ fn numbers_and_words_belong_together() {
          {{ const found = String(of()); if (found !== expected) {{ wrong++; console.log(asked, found, expected); }} }};\n\
          {asked}process.exitCode = wrong ? 1 : 0;",
         ARITHMETIC.concat()
+    );
+    let Some(output) = node::run(&script, "") else { return };
+    assert!(output.is_success, "{}", output.text);
+}
+
+/// A refused pose has the crate's words on a page, without the marks around names; what is missing is told as the picture
+/// tells it.
+#[test]
+fn refusals_have_the_words_of_the_crate() {
+    let invalid = |group, name| SolveError::Invalid { group, name };
+    let refusals = [
+        SolveError::Singular { group: "BC, DC" },
+        SolveError::Singular { group: "spring A, B" },
+        SolveError::Singular { group: "force A, B" },
+        SolveError::Jams { joint: "A" },
+        SolveError::NotFinite { name: "theta" },
+        SolveError::SeveralDeadPoints { unknown: "x" },
+        invalid("BC, DC", "length of BC"),
+        invalid("BC", "mass on BC"),
+        invalid("BC", "inertia on BC"),
+        invalid("A", "friction at A"),
+        invalid("spring A, B", "stiffness"),
+        invalid("x", "ends of between"),
+    ];
+    let told = refusals.map(|error| {
+        let kind = format!("{error:?}");
+        let kind = kind.split(' ').next().unwrap_or_default().to_string();
+        let name = if let SolveError::Invalid { name, .. } = error { name } else { "" };
+        let said = error.to_string().replace('`', "");
+        let group = error.culprit();
+        format!("said({{ kind: {kind:?}, group: {group:?}, name: {name:?} }}, {said:?});\n")
+    });
+    let [words, pose, ..] = READS;
+    let (_, why) = pose.split_once("const why = ").expect("it is there");
+    let script = format!(
+        "{}{words}\nconst why = {why}\nlet wrong = 0;\nconst said = (error, expected) => \
+         {{ const found = why(error); if (found !== expected) {{ wrong++; console.log(found, expected); }} }};\n\
+         {}said({{ kind: \"OutOfReach\", group: \"BC, DC\", by: 0.03 }}, \"BC, DC cannot be assembled: 30.00 mm are missing\");\n\
+         process.exitCode = wrong ? 1 : 0;",
+        [&ARITHMETIC[..], &SEARCH, &FRICTION].concat().concat(),
+        told.concat()
     );
     let Some(output) = node::run(&script, "") else { return };
     assert!(output.is_success, "{}", output.text);
