@@ -57,66 +57,59 @@ pub(crate) const APPLIED: usize = 1;
 
 /// The routines of a program that places what is drawn: where everything stands, and the forces on it.
 pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
-    // A placing program has no entry points: the records of the solver's own are enough.
-    let interface = Interface::of(mechanism).limited_to(std::iter::empty());
-    // The solver's own searches are given other values: those of its own graph.
-    let tried = tried(&program.graph);
-    let costs = Costs::of(&program.graph, &tried);
-    let searches = searches(mechanism, program, "placed_root", (&tried, &costs));
-    let (locals, needs) = (Locals::default(), Vec::new());
-    let builder = Builder { program, interface, locals, searches, tried: &tried, needs };
-    let forces = given_to_forces(mechanism);
     // `PLACED` and `APPLIED`.
-    let kinds = [("placed_", &[ArgumentKind::Value][..]), ("forces_applied_", &forces)];
-    let routines = kinds
-        .into_iter()
-        .zip(&program.answers)
-        .map(|((name, given), answer)| builder.listing(name, given, Path::Slow, &answer.sinks));
-    let routines = routines.collect();
-    let clearances = builder.clearances();
-    let Builder { interface, searches, .. } = builder;
-    let (entries, costs) = (Vec::new(), Vec::new());
-    Lowered { program, interface, routines, entries, costs, clearances, searches }
+    let kinds = [("placed_", vec![ArgumentKind::Value]), ("forces_applied_", acting(mechanism))];
+    let lists = kinds.into_iter().zip(&program.answers);
+    let lists = lists.map(|((name, given), answer)| (name, given, answer.sinks.clone()));
+    listed(mechanism, program, Some("placed_root"), lists)
 }
 
 /// The routine of a program that says where masses, couples and wheels are drawn. `placing` has a search of each name
 /// of its own.
 pub(crate) fn lower_marks<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
-    let interface = Interface::of(mechanism).limited_to(std::iter::empty());
-    let tried = tried(&program.graph);
-    let costs = Costs::of(&program.graph, &tried);
-    let searches = searches(mechanism, program, "marked_root", (&tried, &costs));
-    let (locals, needs) = (Locals::default(), Vec::new());
-    let builder = Builder { program, interface, locals, searches, tried: &tried, needs };
-    let sinks = program.answers.iter().flat_map(|answer| answer.sinks.iter().copied());
-    let routine = builder.listing(
-        "marked_",
-        &given_to_forces(mechanism),
-        Path::Slow,
-        &sinks.collect::<Vec<_>>(),
-    );
-    let clearances = builder.clearances();
-    let Builder { interface, searches, .. } = builder;
-    let (entries, costs) = (Vec::new(), Vec::new());
-    Lowered { program, interface, routines: vec![routine], entries, costs, clearances, searches }
+    let list = ("marked_", acting(mechanism), all_sinks(program));
+    listed(mechanism, program, Some("marked_root"), [list])
 }
 
 /// The routine of the numbers by which assemblies are listed, which stand in front of every search.
 pub(crate) fn lower_pinned<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+    let list = ("pinned_", vec![ArgumentKind::Value], all_sinks(program));
+    listed(mechanism, program, None, [list])
+}
+
+fn all_sinks(program: &Program) -> Vec<Id> {
+    program.answers.iter().flat_map(|answer| answer.sinks.iter().copied()).collect()
+}
+
+/// Routines by name, what they are given, and the numbers that they return. Where they search, what a search is called,
+/// and clearances as well.
+fn listed<'p, 'n>(
+    mechanism: &Mechanism,
+    program: &'p Program,
+    root: Option<&str>,
+    lists: impl IntoIterator<Item = (&'n str, Vec<ArgumentKind>, Vec<Id>)>,
+) -> Lowered<'p> {
+    // There are no entry points: the records of the solver's own are enough.
     let interface = Interface::of(mechanism).limited_to(std::iter::empty());
+    // The solver's own searches are given other values: those of its own graph.
     let tried = tried(&program.graph);
-    let (locals, needs, searches) = (Locals::default(), Vec::new(), Vec::new());
+    let searches = root.map(|root| {
+        searches(mechanism, program, root, (&tried, &Costs::of(&program.graph, &tried)))
+    });
+    let (locals, needs, searches) = (Locals::default(), Vec::new(), searches.unwrap_or_default());
     let builder = Builder { program, interface, locals, searches, tried: &tried, needs };
-    let sinks = program.answers.iter().flat_map(|answer| answer.sinks.iter().copied());
-    let sinks: Vec<_> = sinks.collect();
-    let routine = builder.listing("pinned_", &[ArgumentKind::Value], Path::Slow, &sinks);
+    let routines = lists.into_iter();
+    let routines =
+        routines.map(|(name, given, sinks)| builder.listing(name, &given, Path::Slow, &sinks));
+    let routines = routines.collect();
+    let clearances = root.and_then(|_| builder.clearances());
     let Builder { interface, searches, .. } = builder;
-    let (entries, costs, clearances) = (Vec::new(), Vec::new(), None);
-    Lowered { program, interface, routines: vec![routine], entries, costs, clearances, searches }
+    let (entries, costs) = (Vec::new(), Vec::new());
+    Lowered { program, interface, routines, entries, costs, clearances, searches }
 }
 
 /// The arguments of what acts.
-fn given_to_forces(mechanism: &Mechanism) -> Vec<ArgumentKind> {
+fn acting(mechanism: &Mechanism) -> Vec<ArgumentKind> {
     let drives = mechanism.dynamics.driven().map(|_| ArgumentKind::Drives);
     let loads = (!mechanism.dynamics.loads.is_empty()).then_some(ArgumentKind::Loads);
     [ArgumentKind::Value, ArgumentKind::Rate].into_iter().chain(drives).chain(loads).collect()

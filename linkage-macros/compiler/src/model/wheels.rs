@@ -6,7 +6,7 @@
 use crate::exact::Exact;
 use crate::model::expr::{Operator, Scalar};
 use crate::model::mechanism::{
-    AngleSum, Body, Carrier, Drive, Group, InputId, LinkId, Mechanism, PointId, Step,
+    AngleSum, Body, Carrier, Drive, Group, InputId, LinkId, Mechanism, PointId,
 };
 
 /// Two wheels that roll on each other.
@@ -46,7 +46,7 @@ pub(crate) fn wheels(mechanism: &Mechanism) -> Vec<Wheels> {
 impl Gearing<'_> {
     /// The pairs of wheels, in the order of their second ones.
     fn pairs(&self) -> Vec<Wheels> {
-        let cranks: Vec<TurnedLink<'_>> = self.groups_of_steps().flat_map(cranks_of).collect();
+        let cranks: Vec<TurnedLink<'_>> = self.0.group_steps().flat_map(cranks_of).collect();
         let pairs = cranks.iter().enumerate().filter_map(|(nth, crank)| {
             let before = &cranks[..nth];
             match crank.relative_to {
@@ -62,13 +62,6 @@ impl Gearing<'_> {
             !is_none && wheels.centres[0] != wheels.centres[1]
         };
         pairs.filter(is_rolling).collect()
-    }
-
-    fn groups_of_steps(&self) -> impl Iterator<Item = &Group> {
-        self.0.steps.iter().filter_map(|step| match step {
-            Step::Group(group) => Some(group),
-            _ => None,
-        })
     }
 
     /// Two cranks that turn on the ground.
@@ -120,7 +113,7 @@ impl Gearing<'_> {
 
     /// The point that a link turns about.
     fn centre_of(&self, link: LinkId) -> Option<PointId> {
-        let group = self.groups_of_steps().find(|group| group.links.contains(&link))?;
+        let group = self.0.group_with(link)?;
         group.outer.iter().find(|joint| joint.link() == link)?.point()
     }
 

@@ -8,7 +8,7 @@ use crate::interface::force_records;
 use crate::lower::routine::Lowered;
 use crate::model::acting::{Effort, RequestedEffort};
 use crate::model::mechanism::{
-    Carrier, Drive, Group, InputId, LinkId, Mechanism, Operator, Scalar, Step,
+    Carrier, Drive, Group, InputId, LinkId, Mechanism, Operator, Scalar,
 };
 use crate::model::wheels::wheels;
 
@@ -66,7 +66,8 @@ fn drive(mechanism: &Mechanism, asked: &RequestedEffort) -> Option<(String, Stri
     let place = match asked.effort {
         Effort::Drive(link) | Effort::Push(link) => at_link(mechanism, link, asked.effort)?,
         Effort::Input(input) => {
-            let mut driven = groups(mechanism).flat_map(|group| driven_by(mechanism, group, input));
+            let mut driven =
+                mechanism.group_steps().flat_map(|group| driven_by(mechanism, group, input));
             let (link, effort) = driven.next()?;
             if driven.next().is_some() {
                 return None;
@@ -78,15 +79,8 @@ fn drive(mechanism: &Mechanism, asked: &RequestedEffort) -> Option<(String, Stri
     Some((force_records::path(asked), place))
 }
 
-fn groups(mechanism: &Mechanism) -> impl Iterator<Item = &Group> {
-    mechanism.steps.iter().filter_map(|step| match step {
-        Step::Group(group) => Some(group),
-        _ => None,
-    })
-}
-
 fn at_link(mechanism: &Mechanism, link: LinkId, effort: Effort) -> Option<String> {
-    let group = groups(mechanism).find(|group| group.links.contains(&link))?;
+    let group = mechanism.group_with(link)?;
     let joint = group.outer.iter().find(|joint| joint.link() == link)?;
     match (effort, joint.point(), group.pin) {
         (Effort::Push(_), Some(pivot), Some(pin)) => {
