@@ -29,8 +29,8 @@
 //!     // A sensor on the plate says in which of both the machine is.
 //!     let turned = |at: &_| Some(machine.with(at).position(t).ok()?.plate.angle());
 //!     let drawn = machine.position(t)?.plate.angle();
-//!     let found = list.nearest_by_angle(drawn + 0.01, turned).expect("there are two");
-//!     assert!((found.off - 0.01).abs() < 1e-9 && found.runner_up > Some(0.1));
+//!     let found = list.nearest_by_angle(drawn + 0.001, turned).expect("there are two");
+//!     assert!((found.off - 0.001).abs() < 1e-9 && found.runner_up > Some(0.02));
 //!     Ok(())
 //! }
 //! ```

@@ -108,6 +108,7 @@ pub mod statements {
     //! [forces]: super::forces
     //! [friction]: super::forces#friction
     //! [measurements]: super::method_and_measurements#against-other-methods
+    //! [other assemblies]: super::both_directions#the-other-assemblies
     //! [parallelogram]: super::recipes#a-parallelogram
     //! [sets]: super::both_directions#several-sets-of-inputs
     //! [unknown]: super::both_directions#unknown-and-solve
@@ -125,6 +126,7 @@ pub mod cut {
     //! [sets]: super::both_directions#several-sets-of-inputs
     //! [`limits`]: crate::range::limits()
     //! [all assemblies]: super::method_and_measurements#all-assemblies
+    //! [other assemblies]: super::both_directions#the-other-assemblies
     //! [`Tracker`]: crate::Tracker
     //!
     #![doc = include_str!("figures/drawn_limits.md")]
@@ -210,6 +212,7 @@ pub mod forces {
 
 pub mod both_directions {
     //! [class III]: super::cut#class-iii
+    //! [all assemblies]: super::method_and_measurements#all-assemblies
     //! [forces]: super::forces#beside-an-unknown
     //! [`Search::find_output`]: crate::find::Search::find_output
     //! [`Tracker`]: crate::Tracker

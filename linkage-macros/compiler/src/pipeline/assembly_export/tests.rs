@@ -101,7 +101,7 @@ fn what_cannot_be_listed_says_why() {
                 "guide rail through B along 0deg; rrp PQ(P), block(rail) -> Q { length: 4m, mode: ahead } \
                  point R on PQ at (1m, 2m); solve phi { distance(R, C) = 2.5m, mode: rising }",
             ),
-            "only a crank and pairs of bars with a mode of their own may stand",
+            "between `unknown` and `solve` only a crank and pairs of bars with a mode of their own may stand",
         ),
         (
             with(

@@ -133,7 +133,7 @@ fn outputs_and_settings() {
         ("crate = ::crate;", ":#1: write the path of `linkage-core`: `crate = ::linkage_core;`"),
         ("crate = super::super::a;", ""),
         ("crate::foo;", ":#1: write the path of `linkage-core`: `crate = ::linkage_core;`"),
-        ("export \"c\";", "\"c\": expected `c`, found `\"c\"`"),
+        ("export \"c\";", "\"c\": expected `c` or `assemblies`, found `\"c\"`"),
         (
             "output *;",
             "*: leave this statement out / without `output` every moving point and link is computed",
