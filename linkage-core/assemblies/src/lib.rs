@@ -25,6 +25,7 @@ extern crate std;
 mod chebyshev;
 mod circle;
 mod closure;
+mod complex;
 mod disc;
 mod listed;
 mod pinned;

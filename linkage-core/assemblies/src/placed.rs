@@ -1,11 +1,10 @@
 //! A pinned group with the numbers of its places: its closures enclosed, those of one mode in plain numbers, and its assemblies.
 
-use core::ops::{Add, Mul, Sub};
-
-use libm::{cos, hypot, ilogb, scalbn, sin, sqrt};
+use libm::{ilogb, scalbn, sqrt};
 
 use crate::circle::{Budget, CircleOrigin, OnCircle, zeros};
 use crate::closure::{Algebra, Twin, closure, product};
+use crate::complex::Complex;
 use crate::disc::Disc;
 use crate::listed::{Assembly, List, Outcome, wrapped};
 use crate::pinned::{BODIES, BodyPin, ClosureDegree, PinnedDyad, PinnedGroup, STANDING, TURNED};
@@ -16,53 +15,6 @@ const ROUNDING: f64 = 1e-9;
 const ORIGINS: [f64; 2] = [0.187_5, 0.343_75];
 /// The widths of angles within which the mode of a zero is looked for.
 const WIDTHS: [f64; 4] = [1e-12, 1e-11, 1e-10, 1e-9];
-
-/// A complex number.
-#[derive(Clone, Copy)]
-struct Complex {
-    x: f64,
-    y: f64,
-}
-
-impl Add for Complex {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self { x: self.x + other.x, y: self.y + other.y }
-    }
-}
-
-impl Sub for Complex {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Self { x: self.x - other.x, y: self.y - other.y }
-    }
-}
-
-impl Mul for Complex {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        let x = self.x * other.x - self.y * other.y;
-        Self { x, y: self.x * other.y + self.y * other.x }
-    }
-}
-
-impl Complex {
-    fn turned(angle: f64) -> Self {
-        Self { x: cos(angle), y: sin(angle) }
-    }
-
-    fn conjugate(self) -> Self {
-        Self { y: -self.y, ..self }
-    }
-
-    fn square(self) -> f64 {
-        self.x * self.x + self.y * self.y
-    }
-
-    fn length(self) -> f64 {
-        hypot(self.x, self.y)
-    }
-}
 
 /// A group in a pose of the inputs. The numbers of its places are taken as exact.
 pub struct Placed<'g> {

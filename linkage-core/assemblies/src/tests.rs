@@ -3,7 +3,9 @@
 mod numbers;
 mod triads;
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::Neg;
+
+use crate::complex::Complex;
 
 /// Numbers from zero to one by a linear congruence.
 struct Numbers(u64);
@@ -15,23 +17,10 @@ impl Numbers {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Complex {
-    x: f64,
-    y: f64,
-}
-
+/// Beside the operations of the list's own numbers.
 impl Complex {
     fn new(x: f64, y: f64) -> Self {
         Self { x, y }
-    }
-
-    fn turned(angle: f64) -> Self {
-        Self::new(angle.cos(), angle.sin())
-    }
-
-    fn length(self) -> f64 {
-        self.x.hypot(self.y)
     }
 
     fn angle(self) -> f64 {
@@ -42,33 +31,8 @@ impl Complex {
         Self::new(self.x * factor, self.y * factor)
     }
 
-    fn conjugate(self) -> Self {
-        Self::new(self.x, -self.y)
-    }
-
     fn over(self, other: Self) -> Self {
         (self * other.conjugate()).times(1.0 / other.length().powi(2))
-    }
-}
-
-impl Add for Complex {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self::new(self.x + other.x, self.y + other.y)
-    }
-}
-
-impl Sub for Complex {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.x - other.x, self.y - other.y)
-    }
-}
-
-impl Mul for Complex {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self::new(self.x * other.x - self.y * other.y, self.x * other.y + self.y * other.x)
     }
 }
 
