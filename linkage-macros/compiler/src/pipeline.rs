@@ -93,18 +93,17 @@ pub fn compile(source: TokenStream, options: &Options) -> Output {
     let declaration = parsed.map(Parsed::driven);
     let resolved = declaration.as_ref().map(|tree| resolved(tree, &mut diagnostics));
     let notes = diagnostics.take_notes();
-    match (declaration.as_ref().zip(resolved), diagnostics.finish()) {
-        (Some((tree, Ok(mechanism))), Ok(())) => {
+    match (resolved, diagnostics.finish()) {
+        (Some(Ok(mechanism)), Ok(())) => {
             let text = options.page.then(|| text(&source));
-            let tokens = solver((tree, &mechanism), text.as_deref(), options);
+            let tokens = solver(&mechanism, text.as_deref(), options);
             Output { tokens, diagnostics: Vec::new(), notes }
         }
-        (understood, Err(Failure(diagnostics))) => {
+        (resolved, Err(Failure(diagnostics))) => {
             let errors = diagnostics.iter().map(Diagnostic::compile_error);
-            let stub = understood.and_then(|(declaration, resolved)| {
-                let Stub(mechanism) = resolved.err()?;
-                Some(stub(declaration, &mechanism, options))
-            });
+            let understood = declaration.as_ref().zip(resolved.and_then(Result::err));
+            let stub = understood
+                .map(|(declaration, Stub(mechanism))| stub(declaration, &mechanism, options));
             Output { tokens: errors.chain(stub).collect(), diagnostics, notes: Vec::new() }
         }
         (_, Ok(())) => unreachable!("a phase that gives nothing has reported why"),
@@ -287,15 +286,11 @@ pub(crate) fn program(mechanism: &Mechanism) -> Program {
 }
 
 /// The solver, and with it what draws the mechanism where that is asked for.
-fn solver(
-    (tree, mechanism): (&Declaration, &Mechanism),
-    text: Option<&str>,
-    options: &Options,
-) -> TokenStream {
+fn solver(mechanism: &Mechanism, text: Option<&str>, options: &Options) -> TokenStream {
     let placing = options.sketch.then(|| placing(mechanism));
     let drawn = placing.as_ref().map(|program| (program, text));
     let own = code(mechanism, &program(mechanism), drawn, options);
-    [own, assembly_export::solver_of_any(tree, mechanism, options)].into_iter().collect()
+    [own, assembly_export::solver_of_any(mechanism, options)].into_iter().collect()
 }
 
 /// The same for the program by which the mechanism is drawn, which shares nothing with the solver's.

@@ -12,7 +12,7 @@ use super::incidence::{Carrier, Length};
 
 pub(crate) use super::effort::Effort;
 /// Everything that a declaration says about forces; empty where it says nothing.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Dynamics {
     /// In ground axes; none unless written.
     pub gravity: Option<[Scalar; 2]>,
@@ -38,12 +38,14 @@ pub(crate) struct Dynamics {
 }
 
 /// A number given at each call.
+#[derive(Clone)]
 pub(crate) struct Load {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub dimension: Dimension,
 }
 
+#[derive(Clone)]
 pub(crate) struct Mass {
     pub place: MassPlace,
     pub mass: Magnitude,
@@ -53,12 +55,14 @@ pub(crate) struct Mass {
 
 /// A mass, an inertia or a number of a spring: no input changes it, and of all but the free angle
 /// no parameter may make it negative.
+#[derive(Clone)]
 pub(crate) struct Magnitude {
     pub value: Scalar,
     /// The name in errors.
     pub name: String,
 }
 
+#[derive(Clone)]
 pub(crate) enum MassPlace {
     /// A point mass on a pin or a driven point.
     Pin(PointId),
@@ -70,6 +74,7 @@ pub(crate) enum MassPlace {
     Uniform(LinkId, Scalar),
 }
 
+#[derive(Clone)]
 pub(crate) enum Force {
     At {
         point: PointId,
@@ -91,6 +96,7 @@ pub(crate) enum Axes {
 }
 
 /// A couple: positive on the one, its opposite on the other if there is one.
+#[derive(Clone)]
 pub(crate) struct Torque {
     pub on: Carrier,
     pub against: Option<Carrier>,
@@ -98,6 +104,7 @@ pub(crate) struct Torque {
 }
 
 /// A spring and damper, with the names that errors have for its numbers.
+#[derive(Clone)]
 pub(crate) struct Spring {
     pub name: Option<Ident>,
     pub docs: Vec<Attribute>,
@@ -117,6 +124,7 @@ pub(crate) enum Ends {
 }
 
 /// Two ends of a motion that push back, and never pull.
+#[derive(Clone)]
 pub(crate) struct Stop {
     pub name: Option<Ident>,
     pub docs: Vec<Attribute>,
@@ -128,6 +136,7 @@ pub(crate) struct Stop {
 }
 
 /// The motion that a stop ends.
+#[derive(Clone)]
 pub(crate) enum Stopped {
     /// A sum of links' angles and a number that no input changes.
     Angle(AngleSum),
@@ -145,6 +154,7 @@ impl Stopped {
 }
 
 /// Friction at a joint that follows from its reaction.
+#[derive(Clone)]
 pub(crate) struct Friction {
     pub contact: Contact,
     /// Couple over radius and load, or force over load.
@@ -199,6 +209,7 @@ impl Contact {
 }
 
 /// A force, couple or effort in the mechanism, as a field of a field of the result.
+#[derive(Clone)]
 pub(crate) struct RequestedEffort {
     /// The input, link or spring whose it is.
     pub owner: Ident,
@@ -209,6 +220,7 @@ pub(crate) struct RequestedEffort {
 }
 
 /// An output that is a number made of efforts, rates and loads.
+#[derive(Clone)]
 pub(crate) struct Formula {
     pub value: Scalar,
     pub dimension: Dimension,

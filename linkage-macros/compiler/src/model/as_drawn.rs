@@ -14,7 +14,7 @@ use super::expr::Scalar;
 use super::ids::{LinkId, PointId};
 
 /// The statements of a drawing about its links; empty where nothing is drawn.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct AsDrawn {
     pub slides: Vec<DrawnSlide>,
     pub drives: Vec<DrawnDrive>,
@@ -40,6 +40,7 @@ pub(in crate::model) fn whole_turns(angle: f64) -> f64 {
 }
 
 /// A link that is drawn on a guide. With the slide s of a group's joint its slide is ±s + `shift`.
+#[derive(Clone)]
 pub(crate) struct DrawnSlide {
     pub link: LinkId,
     pub guide: Ident,
@@ -58,6 +59,7 @@ pub(crate) struct DrawnSlide {
 }
 
 /// The frame in which a link is written, in that of its group.
+#[derive(Clone)]
 pub(crate) struct FrameShift {
     pub link: LinkId,
     /// Its angle, where it is turned.
@@ -91,6 +93,7 @@ impl FrameShift {
 }
 
 /// An unknown, and how far the machine was followed with it.
+#[derive(Clone)]
 pub(crate) struct SearchFollowed {
     pub unknown: Ident,
     /// The name of what it is measured from, where that follows the drive.
@@ -101,6 +104,7 @@ pub(crate) struct SearchFollowed {
 }
 
 /// The ends to which a motion was followed, from the drawing.
+#[derive(Clone)]
 pub(crate) struct Stretch {
     /// The input, where several drive the machine.
     pub input: Option<Ident>,
@@ -109,6 +113,7 @@ pub(crate) struct Stretch {
 }
 
 /// The drive of a link that a group has the other way round: its effort is the opposite.
+#[derive(Clone)]
 pub(crate) struct DrawnDrive {
     pub link: LinkId,
     pub by: LinkId,

@@ -3,6 +3,7 @@
 use proc_macro2::Ident;
 
 /// The bodies of a drawing, in ground axes.
+#[derive(Clone)]
 pub(crate) struct Outline {
     pub ground: Vec<(Ident, [f64; 2])>,
     pub bodies: Vec<OutlinedBody>,
@@ -10,6 +11,7 @@ pub(crate) struct Outline {
 }
 
 /// A link that is written.
+#[derive(Clone)]
 pub(crate) struct OutlinedBody {
     pub name: Ident,
     pub pins: Vec<(Ident, [f64; 2])>,
@@ -23,6 +25,7 @@ pub(crate) struct OutlinedBody {
 }
 
 /// A guide, and the body that carries it by its place in the list: the ground where there is none.
+#[derive(Clone)]
 pub(crate) struct OutlinedGuide {
     pub name: Ident,
     pub on: Option<usize>,

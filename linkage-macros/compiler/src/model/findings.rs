@@ -7,6 +7,7 @@ use crate::model::ids::{GroupId, InputId, LinkId, PointId};
 use crate::model::incidence::Carrier;
 
 /// Facts that constants fix about a group.
+#[derive(Clone)]
 pub(crate) struct Known {
     pub group: GroupId,
     /// The distance between its outer joints.
@@ -16,6 +17,7 @@ pub(crate) struct Known {
 }
 
 /// The range of a crank's turn that a dyad hanging on it allows.
+#[derive(Clone)]
 pub(crate) struct Rotatability {
     pub group: GroupId,
     pub crank: LinkId,
@@ -30,6 +32,7 @@ pub(crate) struct Rotatability {
 
 /// A group of constants between two bodies that are pinned to each other, which some angle between them brings to its
 /// limit exactly.
+#[derive(Clone)]
 pub(crate) struct Touching {
     pub group: GroupId,
     /// The joint of both bodies.

@@ -46,12 +46,14 @@ pub(crate) struct Length {
 }
 
 /// A joint of a group: its link is the second of the bodies.
+#[derive(Clone)]
 pub(crate) struct Joint {
     pub kind: JointKind,
     pub bodies: [Body; 2],
     pub drive: Option<Drive>,
 }
 
+#[derive(Clone)]
 pub(crate) enum JointKind {
     Revolute(PointId),
     /// The link's origin keeps the offset from the line, along its normal; none where it is on it.
@@ -62,6 +64,7 @@ pub(crate) enum JointKind {
 }
 
 /// The line that a link slides along.
+#[derive(Clone)]
 pub(crate) enum Slideway {
     Guide(GuideId),
     /// The x axis of a link.
@@ -75,6 +78,7 @@ pub(crate) enum Slideway {
 }
 
 /// The motion that a driver sets.
+#[derive(Clone)]
 pub(crate) enum Drive {
     Angle { angle: AngleSum, relative_to: Carrier },
     Slide(Scalar),
@@ -98,6 +102,7 @@ pub(crate) struct Opposite {
 }
 
 /// A driver or a dyad.
+#[derive(Clone)]
 pub(crate) struct Group {
     pub id: GroupId,
     pub kind: Class,

@@ -24,6 +24,7 @@ pub(crate) use crate::model::incidence::{
 pub(crate) use crate::model::step::{GuideDirection, Placement, Step, Through};
 use crate::syntax::anatomy::Modes;
 
+#[derive(Clone)]
 pub(crate) struct Mechanism {
     pub docs: Vec<Attribute>,
     pub visibility: Visibility,
@@ -69,6 +70,7 @@ pub(crate) struct Mechanism {
     pub export_assemblies: Option<Ident>,
 }
 
+#[derive(Clone)]
 pub(crate) struct Point {
     pub name: Ident,
     pub docs: Vec<Attribute>,
@@ -149,12 +151,13 @@ impl Mechanism {
     }
 }
 
+#[derive(Clone)]
 pub(crate) struct Guide {
     pub name: Ident,
 }
 
 /// Where a declaration makes its names and where it uses them, for editors.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct References {
     /// Every name where it is made, and the statement that makes it.
     pub made: Vec<(Ident, String)>,
@@ -162,6 +165,7 @@ pub(crate) struct References {
     pub used: Vec<Ident>,
 }
 
+#[derive(Clone)]
 pub(crate) struct Input {
     pub name: Ident,
     pub docs: Vec<Attribute>,
@@ -169,6 +173,7 @@ pub(crate) struct Input {
 }
 
 /// A number that an equation fixes.
+#[derive(Clone)]
 pub(crate) struct Unknown {
     pub name: Ident,
     pub docs: Vec<Attribute>,
@@ -190,6 +195,7 @@ pub(crate) struct Unknown {
 }
 
 /// The expression that is zero at the root.
+#[derive(Clone)]
 pub(crate) enum Equation {
     /// left − right
     Difference([Scalar; 2]),
@@ -199,12 +205,14 @@ pub(crate) enum Equation {
     Distance { points: [PointId; 2], length: Length, is_left: bool },
 }
 
+#[derive(Clone)]
 pub(crate) struct Param {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub kind: ParamKind,
 }
 
+#[derive(Clone)]
 pub(crate) enum ParamKind {
     Number {
         dimension: Dimension,
@@ -219,6 +227,7 @@ pub(crate) enum ParamKind {
     },
 }
 
+#[derive(Clone)]
 pub(crate) struct Link {
     pub name: Ident,
     pub docs: Vec<Attribute>,
@@ -248,6 +257,7 @@ impl Link {
 }
 
 /// The name of a driver or a dyad, or of a driven point, which is a group of its own.
+#[derive(Clone)]
 pub(crate) struct GroupName {
     /// `crank`, `slider`, `rrr`, …, where it is written.
     pub keyword: Ident,
@@ -261,6 +271,7 @@ pub(crate) enum Numerics {
     Compensated,
 }
 
+#[derive(Clone)]
 pub(crate) struct DeclaredOutput {
     /// The field of the result.
     pub field: Ident,
@@ -268,6 +279,7 @@ pub(crate) struct DeclaredOutput {
     pub kind: OutputKind,
 }
 
+#[derive(Clone)]
 pub(crate) enum OutputKind {
     Point(PointId),
     /// A link's direction, its slide, or both.

@@ -4,18 +4,21 @@ use crate::model::expr::{AngleSum, Scalar};
 use crate::model::ids::{GroupId, GuideId, PointId};
 use crate::model::incidence::{Carrier, Group, Length, Sign};
 
+#[derive(Clone)]
 pub(crate) enum GuideDirection {
     /// The angle against the carrier's x.
     Along(AngleSum),
     Towards(PointId),
 }
 
+#[derive(Clone)]
 pub(crate) enum Through {
     /// Coordinates in the carrier's frame.
     At([Scalar; 2]),
     Point(PointId),
 }
 
+#[derive(Clone)]
 pub(crate) enum Placement {
     Cartesian([Scalar; 2]),
     /// Distance from the carrier's origin, angle against its x.
@@ -29,6 +32,7 @@ pub(crate) enum Placement {
 }
 
 /// One statement that places something.
+#[derive(Clone)]
 pub(crate) enum Step {
     Ground {
         point: PointId,

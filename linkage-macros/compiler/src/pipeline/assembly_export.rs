@@ -4,14 +4,13 @@ use proc_macro2::TokenStream;
 
 use linkage_assemblies::{ClosureDegree, PinnedGroup};
 
-use super::{Options, code, program, resolved};
+use super::{Options, code, program};
 use crate::chain::assemblies::degree::degree;
 use crate::codegen::{Listing, with_any};
 use crate::diagnostics::Diagnostics;
 use crate::ir::program::Program;
 use crate::model::any_assembly::{Unlisted, any_assembly, assemblies_cannot_be_listed};
 use crate::model::mechanism::Mechanism;
-use crate::syntax::tree::Declaration;
 use crate::{equations, lower, passes};
 
 /// The kind of the first group that is searched, and the program of its numbers.
@@ -54,19 +53,11 @@ pub(super) fn can_be_listed(mechanism: &Mechanism, diagnostics: &mut Diagnostics
 }
 
 /// The solver of any assembly, and what makes it of the machine's own; nothing where nobody asks for it.
-pub(super) fn solver_of_any(
-    tree: &Declaration,
-    mechanism: &Mechanism,
-    options: &Options,
-) -> TokenStream {
+pub(super) fn solver_of_any(mechanism: &Mechanism, options: &Options) -> TokenStream {
     if mechanism.export_assemblies.is_none() {
         return TokenStream::new();
     }
-    let mut diagnostics = Diagnostics::new();
-    let again = resolved(tree, &mut diagnostics);
-    // The declaration means the same a second time, and nothing is wrong with it.
-    let (Ok(again), Ok(())) = (again, diagnostics.finish()) else { return TokenStream::new() };
-    let any = any_assembly(again);
+    let any = any_assembly(mechanism.clone());
     let solver = code(&any.mechanism, &program(&any.mechanism), None, options);
     [solver, with_any(mechanism, &any)].into_iter().collect()
 }

@@ -35,9 +35,7 @@ pub(super) fn compile(
             Err(Stub(mechanism)) => mechanism,
         };
         tokens.extend(match resolved {
-            Ok(mechanism) if diagnostics.is_empty() => {
-                solver((&driving.tree, mechanism), text.as_deref(), options)
-            }
+            Ok(mechanism) if diagnostics.is_empty() => solver(mechanism, text.as_deref(), options),
             _ => stub(&driving.tree, mechanism, options),
         });
         sets.push(DrivenSet { set: &driving.set, mechanism });

@@ -16,7 +16,7 @@ use super::{absolute, squared};
 use crate::exact::Exact;
 
 /// The part of a turn over which a dyad on a crank can be assembled.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Turn {
     pub range: Range,
     /// The angles, in degrees, at which both assembly modes are one while the crank passes.
@@ -24,7 +24,7 @@ pub(crate) struct Turn {
 }
 
 /// The angles of a crank at which a dyad assembles, in degrees.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Range {
     Full,
     /// From, to: one interval, or two that the crank cannot leave for each other.
