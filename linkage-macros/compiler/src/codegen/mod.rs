@@ -10,7 +10,7 @@
 //! | `drawn_plan`, `drawing` | what a mechanism is drawn by: as data, and in Rust |
 //! | `docs` | what documentation says of each item, and comments of headers |
 //! | `printer` | the walk over a routine's statements, for every language |
-//! | `arguments` | the arguments of an entry point |
+//! | `arguments`, `listing` | the arguments of an entry point, and the sources of a list of assemblies |
 //! | `identifiers`, `text` | names, and what code is written into |
 
 mod arguments;
@@ -19,6 +19,7 @@ pub(crate) mod docs;
 mod drawing;
 pub(crate) mod drawn_plan;
 mod identifiers;
+pub(crate) mod listing;
 mod printer;
 mod rust;
 pub(crate) mod script;
@@ -31,9 +32,10 @@ pub(crate) mod tests;
 use proc_macro2::TokenStream;
 
 pub(crate) use docs::costs_in_words::{MOST, in_words};
-pub(crate) use rust::assembly_functions::{Listing, with_any};
+pub(crate) use rust::assembly_functions::with_any;
 pub(crate) use rust::driving_sets::{DrivenSet, generate as generate_sets};
 
+use self::listing::Listing;
 use crate::lower::routine::Lowered;
 use crate::model::mechanism::Mechanism;
 

@@ -6,7 +6,11 @@ use linkage_assemblies::{ClosureDegree, PinnedGroup};
 
 use super::{Options, code, program};
 use crate::chain::assemblies::degree::degree;
-use crate::codegen::{Listing, with_any};
+use crate::codegen::c;
+use crate::codegen::c::provenance::Provenance;
+use crate::codegen::c::selection::Selection;
+use crate::codegen::listing::Listing;
+use crate::codegen::with_any;
 use crate::diagnostics::Diagnostics;
 use crate::ir::program::Program;
 use crate::model::any_assembly::{Unlisted, any_assembly, assemblies_cannot_be_listed};
@@ -60,6 +64,23 @@ pub(super) fn solver_of_any(mechanism: &Mechanism, options: &Options) -> TokenSt
     let any = any_assembly(mechanism.clone());
     let solver = code(&any.mechanism, &program(&any.mechanism), None, options);
     [solver, with_any(mechanism, &any)].into_iter().collect()
+}
+
+/// The list of a mechanism and the solver of any assembly in C: names and texts of files, none where nobody asks for them.
+pub(super) fn in_c(selection: &Selection, provenance: &Provenance<'_>) -> Vec<(String, String)> {
+    let mechanism = provenance.mechanism;
+    let Some(kind) = kind(mechanism) else { return Vec::new() };
+    let any = any_assembly(mechanism.clone());
+    // Its entry points are those of the mechanism.
+    let program = selection.apply(program(&any.mechanism));
+    let lowered = lower::lower(&any.mechanism, &program);
+    let own =
+        Provenance { mechanism: &any.mechanism, prefix: provenance.prefix.clone(), ..*provenance };
+    let solver = c::generate(&any.mechanism, &lowered, selection, &own);
+    let listing = kind.listing(mechanism);
+    let lists = c::printed_list::generate(&listing, &any, &selection.widths, provenance);
+    // Both have the same run-time, which is printed with the mechanism's own.
+    solver.into_iter().take(2).chain(lists).collect()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 
-use super::{program, understood};
+use super::{assembly_export, program, understood};
 use crate::codegen::c::provenance::{Prefix, Provenance, hash};
 use crate::codegen::c::selection::Selection;
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
@@ -40,7 +40,12 @@ pub fn c(
     only: &[&str],
     prefix: Option<&str>,
 ) -> Result<Vec<File>, Vec<Diagnostic>> {
-    printed(source, only, prefix, |_, _, solver| solver)
+    let _atoms = AtomScope::begin();
+    with_lowered(source, only, prefix, |lowered, selection, provenance| {
+        let solver = codegen::c::generate(provenance.mechanism, lowered, selection, provenance);
+        let lists = assembly_export::in_c(selection, provenance);
+        Ok(files(solver.into_iter().chain(lists).collect()))
+    })
 }
 
 /// Prints the fast path of a declaration as structured text of IEC 61131-3: its types and function blocks, and the
@@ -85,26 +90,13 @@ pub fn st(
 /// # Errors
 /// The mistakes in the declaration, in the order of the source.
 pub fn fmu(source: TokenStream, is_kinematic: bool) -> Result<Vec<File>, Vec<Diagnostic>> {
-    printed(source, &["f64"], None, |mechanism, lowered, solver| {
-        let model = codegen::c::fmu::generate(mechanism, lowered, is_kinematic);
-        let model = model.into_iter().map(|(name, text)| File { name, text });
-        let in_sources = |file: File| File { name: format!("sources/{}", file.name), ..file };
-        model.chain(solver.into_iter().map(in_sources)).collect()
-    })
-}
-
-/// The files that `finish` makes of a mechanism, its routines and its solver in C.
-fn printed(
-    source: TokenStream,
-    only: &[&str],
-    prefix: Option<&str>,
-    finish: impl FnOnce(&Mechanism, &lower::routine::Lowered<'_>, Vec<File>) -> Vec<File>,
-) -> Result<Vec<File>, Vec<Diagnostic>> {
     let _atoms = AtomScope::begin();
-    with_lowered(source, only, prefix, |lowered, selection, provenance| {
+    with_lowered(source, &["f64"], None, |lowered, selection, provenance| {
         let mechanism = provenance.mechanism;
-        let solver = files(codegen::c::generate(mechanism, lowered, selection, provenance));
-        Ok(finish(mechanism, lowered, solver))
+        let model = codegen::c::fmu::generate(mechanism, lowered, is_kinematic);
+        let solver = codegen::c::generate(mechanism, lowered, selection, provenance);
+        let in_sources = |(name, text)| (format!("sources/{name}"), text);
+        Ok(files(model.into_iter().chain(solver.into_iter().map(in_sources)).collect()))
     })
 }
 

@@ -84,7 +84,7 @@ pub(in crate::codegen) fn default(solver: &Ident, width: Width) -> String {
     suffixed(solver, "default", width)
 }
 
-fn suffixed(solver: &Ident, action: &str, width: Width) -> String {
+pub(super) fn suffixed(solver: &Ident, action: &str, width: Width) -> String {
     let suffix = if width == Width::Single { "_f32" } else { "" };
     format!("{}_{action}{suffix}", snake_case(&text(solver)))
 }

@@ -105,7 +105,7 @@ impl In<'_> {
         let mut body = format!("LinkageWhy why = linkage_why({is_single});\n");
         body += &self.earlier_results(routine, *stage);
         body += &format!("{};\n", self.result(entry.result, "found"));
-        let checked = match self.named_given(entry, asked, &mut body) {
+        let checked = match self.named_given(&entry.given, &asked.given, &mut body) {
             0 => "NULL, 0".to_string(),
             count => format!("given, {count}"),
         };
@@ -157,12 +157,17 @@ impl In<'_> {
     }
 
     /// The list of what is given that has to be finite, and its length.
-    fn named_given(self, entry: &Entry, asked: &FinitenessChecks, to: &mut String) -> usize {
+    pub(super) fn named_given(
+        self,
+        given: &[ArgumentKind],
+        asked: &[Node],
+        to: &mut String,
+    ) -> usize {
         let named = |&node: &Node| {
-            let value = self.leaf(&entry.given, node)?;
+            let value = self.leaf(given, node)?;
             Some((value, label(self.mechanism, node)?))
         };
-        let named: Vec<_> = asked.given.iter().filter_map(named).collect();
+        let named: Vec<_> = asked.iter().filter_map(named).collect();
         if !named.is_empty() {
             *to += &format!("LinkageNamed given[{}];\n", named.len());
         }

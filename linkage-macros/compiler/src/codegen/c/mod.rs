@@ -10,6 +10,7 @@ mod entry;
 pub(crate) mod fmu;
 pub(in crate::codegen) mod header;
 mod in_c;
+pub(crate) mod printed_list;
 pub(crate) mod provenance;
 mod public_function;
 mod reserved;

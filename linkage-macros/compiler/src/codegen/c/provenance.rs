@@ -76,7 +76,8 @@ impl Prefix {
 }
 
 /// The macros by which a header is read once.
-const GUARDS: [&str; 2] = ["LINKAGE_RUN_H", "LINKAGE_WORDS"];
+const GUARDS: [&str; 4] =
+    ["LINKAGE_RUN_H", "LINKAGE_WORDS", "LINKAGE_ASSEMBLIES_H", "LINKAGE_LISTS_HASH"];
 
 /// A number that tells declarations apart: 64 bits of FNV-1a over their words, whatever the layout and the comments.
 pub(crate) fn hash(declaration: &TokenStream) -> u64 {

@@ -10,7 +10,7 @@ use crate::codegen::identifiers::text;
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
 use crate::lower::routine::{ArgumentAdapter, Compute};
-use crate::model::mechanism::ParamKind;
+use crate::model::mechanism::{Mechanism, ParamKind};
 
 impl In<'_> {
     /// The public function.
@@ -103,22 +103,9 @@ impl<'a> PublicFunction<'a> {
         if self.makes_cosine {
             *body += &format!("{real} {cosine}, {sine};\n");
         }
-        for (name, label) in &self.pointers {
-            *body += &format!(
-                "if ({name} == NULL) {{\nreturn linkage_because(error, LINKAGE_NULL_POINTER, {});\n}}\n",
-                quoted(label)
-            );
-        }
-        let mechanism = self.to.mechanism;
-        for mode in &mechanism.params {
-            if let ParamKind::Mode { .. } = mode.kind {
-                let name = text(&mode.name);
-                let place = format!("{}->{}", self.names[0], param(mechanism, &name));
-                *body += &format!(
-                    "if ({place} != 1 && {place} != -1) {{\nreturn linkage_because(error, LINKAGE_INVALID_MODE, {});\n}}\n",
-                    quoted(&name)
-                );
-            }
+        self.pointers.iter().for_each(|(name, label)| *body += &pointer_test(name, label));
+        if let Some(parameters) = self.names.first() {
+            *body += &mode_tests(self.to.mechanism, parameters);
         }
     }
 
@@ -222,4 +209,26 @@ impl<'a> PublicFunction<'a> {
         }
         *body += "}\nreturn status;\n";
     }
+}
+
+/// The test of a pointer, under the name by which an error tells it.
+pub(super) fn pointer_test(name: &str, label: &str) -> String {
+    format!(
+        "if ({name} == NULL) {{\nreturn linkage_because(error, LINKAGE_NULL_POINTER, {});\n}}\n",
+        quoted(label)
+    )
+}
+
+/// The tests of all parameters that are modes, where this points to the parameters.
+pub(super) fn mode_tests(mechanism: &Mechanism, parameters: &str) -> String {
+    let modes = mechanism.params.iter().filter(|of| matches!(of.kind, ParamKind::Mode { .. }));
+    let tests = modes.map(|mode| {
+        let name = text(&mode.name);
+        let place = format!("{parameters}->{}", param(mechanism, &name));
+        format!(
+            "if ({place} != 1 && {place} != -1) {{\nreturn linkage_because(error, LINKAGE_INVALID_MODE, {});\n}}\n",
+            quoted(&name)
+        )
+    });
+    tests.collect()
 }

@@ -21,7 +21,7 @@ impl In<'_> {
         }
     }
 
-    fn on_path(self, routine: &Routine, asks: Asks, to: &mut String) {
+    pub(super) fn on_path(self, routine: &Routine, asks: Asks, to: &mut String) {
         let used = Used::on(self.lowered, routine, asks);
         let (given, binding) = (&routine.given, self.width.binding());
         let dialect = InC { to: self, given, asks, used: &used, binding };

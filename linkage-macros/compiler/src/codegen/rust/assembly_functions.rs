@@ -3,22 +3,15 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use linkage_assemblies::{BodyPin, ClosureDegree, HungBar, PinnedDyad, PinnedGroup};
+use linkage_assemblies::{BodyPin, HungBar, PinnedDyad};
 
 use super::context::Context;
 use super::paths::Paths;
 use super::{formulas, solver};
 use crate::codegen::identifiers::{generated, used};
-use crate::lower::routine::Lowered;
+use crate::codegen::listing::Listing;
 use crate::model::any_assembly::AnyAssembly;
 use crate::model::mechanism::{Mechanism, Param, ParamId};
-
-/// The sources of a list: the program of its numbers, and the kind of the group.
-pub(crate) struct Listing<'l> {
-    pub pinned: Lowered<'l>,
-    pub group: &'l PinnedGroup,
-    pub degree: &'l ClosureDegree,
-}
 
 /// The list, as functions of the solver.
 pub(in crate::codegen) fn items(mechanism: &Mechanism, listing: &Listing<'_>) -> TokenStream {
