@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::acting::{Acting, Ends, Friction};
 use super::compiled::Results;
-use super::drawing::Read;
+use super::drawing::{Drive, Read};
 use super::efforts::Efforts;
 use super::jet::Jet;
 use super::truth::{Equation, Pose, Truth};
@@ -122,8 +122,20 @@ fn reactions(truth: &Truth<'_>, efforts: &Efforts) -> Named {
                 known.push((format!("{}.{}.{part}", names[0], names[1]), *value));
             }
             Equation::Drive(drive) => {
-                if let Read::Angle(link) | Read::Slide(link) = drawing.drives[drive].driven {
+                let Drive { driven, value: read, .. } = &drawing.drives[drive];
+                if let Read::Angle(link) | Read::Slide(link) = *driven {
                     known.push((format!("{}.drive", drawing.links[link].name), *value));
+                }
+                // A gear that is read the other way round drives what its statement reads: both do no work together.
+                let drives = |link: usize| {
+                    let mut of = drawing.drives.iter();
+                    of.any(|drive| matches!(drive.driven, Read::Angle(own) | Read::Slide(own) if own == link))
+                };
+                if let Read::Angle(link) = read.of
+                    && !drives(link)
+                {
+                    let value = -read.factor * value;
+                    known.push((format!("{}.drive", drawing.links[link].name), value));
                 }
             }
         }

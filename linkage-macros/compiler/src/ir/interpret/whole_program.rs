@@ -109,6 +109,22 @@ fn halved<N: Number>(
         }
         values[sought.sides[0].index()].is_at_least(&values[sought.sides[1].index()])
     };
+    if is_above(&from) == is_above(&to) {
+        // Between them is a dead point with a root on each side: the ends are those of the first part that holds the root of
+        // the trend.
+        let rises = sought.trend.sign().map(|sign| sign > 0.0);
+        let width = to.sub(&from).div(&N::exact(&Exact::integer(PARTS)));
+        let mut low = from.clone();
+        for _ in 0..PARTS {
+            let high = low.add(&width).point();
+            let [before, behind] = [&low, &high].map(&mut is_above);
+            if before != behind && rises.is_none_or(|rises| rises == behind) {
+                (from, to) = (low, high);
+                break;
+            }
+            low = high;
+        }
+    }
     let first = is_above(&from);
     for _ in 0..HALVINGS {
         let middle = from.add(&to).mul(&half).point();
@@ -120,6 +136,9 @@ fn halved<N: Number>(
     }
     from.add(&to).mul(&half).point()
 }
+
+/// The parts of an interval in which one of two roots is looked for.
+const PARTS: i64 = 32;
 
 /// Enough for Newton's method to converge.
 const HALVINGS: usize = 16;
