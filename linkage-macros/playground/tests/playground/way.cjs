@@ -32,6 +32,11 @@ const WRONG = `mechanism! {
   const settled = (is) => page.waitForFunction(is, null, { timeout: 20000 }).catch(() => failures.push(`never: ${is}`));
   const whole = () => settled(() => !document.querySelector("#messages .error") && document.querySelector("#stage").className === "" && document.querySelector("iframe.shown"));
   await whole();
+  /// Handles stand where this text has its places: what is compiled comes a moment later.
+  const handled = () => settled(() => [...document.querySelectorAll("#handles button:not([hidden])")].every((handle) => {
+    const [, name, words] = /^(\S+) at \((.*)\)\./.exec(handle.getAttribute("aria-label")), bare = (text) => text.replace(/\s/g, "");
+    return bare(document.querySelector("#editor textarea").value).includes(bare(`${name}(${words})`));
+  }));
   /// Moves the focus by Tab to what has these words; nothing else is pressed.
   const tabTo = async (is) => {
     for (let k = 0; k < 200; k++) {
@@ -147,9 +152,9 @@ const WRONG = `mechanism! {
     await page.click("#undo");
     expect((await text()) === old, "one step of undo does not bring a drag back");
     await page.click("#redo");
-    await page.waitForTimeout(300);
     // A tracer and a pin of the ground move as well; a neighbour's coordinate is taken as it is.
     for (const [name, dx, dy] of [["P", 20, -15], ["D", 18, 3]]) {
+      await handled();
       const box = await page.locator(`#handles button[data-name=${name}]`).boundingBox(), was = await text();
       const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
       await mouse.move(x, y);
@@ -161,13 +166,12 @@ const WRONG = `mechanism! {
       expect((await text()) !== was, name, "does not move");
       if (name === "D") expect(/D\([\d.]+mm ?, ?0\)/.test(await text()), "D does not keep to the line of A:", await text());
       await page.click("#undo");
-      await page.waitForTimeout(500);
     }
     // What is no number stays, and is named.
     const written = await text();
     await area.fill(written.replace("P(180mm, 200mm)", "P(crank + 60mm, 200mm)"));
     await whole();
-    await page.waitForTimeout(300);
+    await handled();
     const box = await page.locator("#handles button[data-name=P]").boundingBox(), [x, y] = [box.x + 13, box.y + 13];
     await mouse.move(x, y);
     await mouse.down();
