@@ -83,7 +83,7 @@ pub use member::Member;
 pub use page::Page;
 #[cfg(feature = "page")]
 #[doc(hidden)]
-pub use page::{Declared, Machine, Paged, Wishes, html, html_of_sets};
+pub use page::{Declared, Machine, Paged, Wishes, html, html_of_sets, shortened};
 pub use plan::{Applied, Drawn};
 #[doc(hidden)]
 pub use plan::{Element, Plan, Spring, applied, followed, place, place_open};

@@ -162,7 +162,7 @@ let front = 0, state = "", good = null, began = 0;
 /// The page with what its reader had set.
 const withState = (page) => {
   const kept = JSON.stringify(state).replaceAll("<", "\\u003c");
-  const begun = page.replace("<script>", () => `<script>globalThis.STATE = ${kept};${isMoving ? `globalThis.MOVED = ${JSON.stringify({ view: held && seen?.view })};` : ""}</script><script>`);
+  const begun = page.replace("<script>", () => `<script>globalThis.STATE = ${kept};${isMoving ? `globalThis.MOVED = ${JSON.stringify((held && seen?.view) ?? null)};` : ""}</script><script>`);
   return isMoving ? `${begun}<script>${$("#moved").textContent}</script>` : begun;
 };
 

@@ -11,6 +11,7 @@ use std::{env, fs};
 
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use linkage_core::sketch::shortened;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -40,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("style", include_str!("../page/play.css")),
         ("worker", include_str!("../page/worker.js")),
         ("wasm", &zipped),
-        ("moved", include_str!("../page/moved.js")),
+        ("moved", &shortened(include_str!("../page/moved.js"))),
         // Only texts hold what would end the element, and there a backslash changes nothing.
         ("script", &script.replace("</", "<\\/")),
     ]);

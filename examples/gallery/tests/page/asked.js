@@ -3,7 +3,7 @@
 
 Object.assign(STEPS_OF, {
   /// What the declaration says of a number can be read beside it, and is told with its fields.
-  async told() {
+  async "told"() {
     const known = [...inputs, ...params, ...loads].filter(({ docs }) => docs);
     expect(known.length > 0, "nothing is said of any number");
     for (const { name, docs } of known) {
@@ -16,9 +16,9 @@ Object.assign(STEPS_OF, {
     }
   },
   /// On a phone picture, curves and the slider that is moved are on the screen together.
-  async strip() {
+  async "strip"() {
     const isNarrow = innerWidth <= 860, box = (node) => node.getBoundingClientRect(), slides = [...document.querySelectorAll("#machine input[type=range]")].findLast((node) => node.offsetHeight > 0);
-    slides.scrollIntoView({ block: "center" });
+    slides.scrollIntoView({ "block": "center" });
     slides.dispatchEvent(new Event("input", { bubbles: true }));
     await drawn();
     const strip = box($("#charts")), picture = box(figure), held = box(slides);
@@ -36,7 +36,7 @@ Object.assign(STEPS_OF, {
     await drawn();
   },
   /// Curves that are kept stand dashed beside the new ones, and the table tells the change.
-  async keeps() {
+  async "keeps"() {
     play(false);
     const n = params.findIndex(({ words, value }) => !words && value), was = state.p[n], before = csv(), cell = () => $("#values td").textContent;
     $("#keep").click();
@@ -61,7 +61,7 @@ Object.assign(STEPS_OF, {
     await drawn();
   },
   /// A joint that is clicked tells its motion, and arrows show it; clicked once more it does not.
-  async picks(name) {
+  async "picks"(name) {
     play(false);
     go(inputs.map(({ from, to }) => from + 0.3 * (to - from)));
     await drawn();
@@ -83,12 +83,12 @@ Object.assign(STEPS_OF, {
     expect($("#picked").hidden && path.getAttribute("visibility") === "hidden", "it stays");
   },
   /// A drawing that is taken along has its colours in it, and asks for nothing.
-  async saves() {
+  async "saves"() {
     const saved = [], { createObjectURL } = URL, { click } = HTMLAnchorElement.prototype;
     URL.createObjectURL = (blob) => (saved.push(blob), "");
     HTMLAnchorElement.prototype.click = () => {};
     for (const id of ["svg", "charts_svg", "csv"]) $(`#${id}`).click();
-    const [figureText, chartsText] = await Promise.all(saved.slice(0, 2).map((blob) => blob.text()));
+    const [figureText, chartsText] = await Promise["all"](saved.slice(0, 2).map((blob) => blob.text()));
     for (const text of [figureText, chartsText]) {
       const drawing = new DOMParser().parseFromString(text, "image/svg+xml");
       expect(!drawing.querySelector("parsererror"), "a saved drawing is none:", text.slice(0, 80));
@@ -101,12 +101,12 @@ Object.assign(STEPS_OF, {
     expect(chartsText.split("<svg").length - 2 === charts.filter(({ svg }) => svg.style.display !== "none").length, "charts are missing");
     $("#png").click();
     for (let k = 0; k < 40 && saved.length < 4; k++) await new Promise((done) => setTimeout(done, 50));
-    expect(saved.length === 4 && saved[3]?.type === "image/png" && saved[3].size > 2000, "the PNG is", saved[3]?.size);
+    expect(saved.length === 4 && saved[3]?.type === "image/png" && saved[3]["size"] > 2000, "the PNG is", saved[3]?.["size"]);
     Object.assign(URL, { createObjectURL });
     HTMLAnchorElement.prototype.click = click;
   },
   /// A joint that is clicked tells the components of its reaction, in newtons.
-  async reacts() {
+  async "reacts"() {
     play(false);
     const { point, at } = reactions[0];
     pick({ point });
@@ -120,16 +120,16 @@ Object.assign(STEPS_OF, {
     await drawn();
   },
   /// The points whose paths are drawn without being asked for.
-  async traced(...names) {
+  async "traced"(...names) {
     expect(tracedPoints.map((point) => PLAN.points[point]).join() === names.join(), "paths are those of", tracedPoints.map((point) => PLAN.points[point]).join());
   },
   /// Curves of an output stand above those of the drives alone.
-  async drives(name, ...titles) {
+  async "drives"(name, ...titles) {
     const found = chartsOf(name).filter(({ isMotion }) => !isMotion).map(({ title }) => title);
     expect(found.join() === titles.join(), "beside", name, "are", found.join());
   },
   /// The cursor of the curves goes with a pointer that is pressed on them, and with no other.
-  async scrub() {
+  async "scrub"() {
     play(false);
     const [{ svg, X, width }] = charts, box = svg.getBoundingClientRect(), [from, to] = domain(), [a, b] = [0.25, 0.6].map((share) => from + share * (to - from));
     const touch = async (kind, x) => {
@@ -148,7 +148,7 @@ Object.assign(STEPS_OF, {
     expect(isAt(b), "drawn, it is at", state.q[state.axis], "for", b);
   },
   /// A block that a link does not reach: its pin's line, and between both what is missing, as long as it is said.
-  async unreached() {
+  async "unreached"() {
     play(false);
     const failed = () => new Pose(state.q).error;
     while (!failed()) state.p[0] *= 1.1;
@@ -165,7 +165,7 @@ Object.assign(STEPS_OF, {
     await drawn();
   },
   /// A spring of which an end stands nowhere is not drawn.
-  async sprung() {
+  async "sprung"() {
     play(false);
     const [{ ends }] = PLAN.springs, d = () => nodes.spring[0].getAttribute("d");
     expect(d().length > 100, "the spring is", d());
@@ -178,7 +178,7 @@ Object.assign(STEPS_OF, {
     await drawn();
   },
   /// Run by itself, a mass on a spring swings as the formula says.
-  async runs(k, m) {
+  async "runs"(k, m) {
     play(false);
     const h = 1 / 960, w = Math.sqrt(k / m);
     let [q, v] = [[0.1], [0]];
@@ -208,7 +208,7 @@ Object.assign(STEPS_OF, {
     expect(!running && !playing, "it runs on");
   },
   /// A load that is applied is drawn to the scale of forces.
-  async loads() {
+  async "loads"() {
     play(false);
     const most = 7500;
     state.l[0] = most;
@@ -231,7 +231,7 @@ Object.assign(STEPS_OF, {
     await drawn();
   },
   /// A joint far beyond its reach and back, also from a pose that cannot be assembled: the machine follows again.
-  async stuck(name) {
+  async "stuck"(name) {
     play(false);
     const from = now(name), way = [-1, 1].flatMap((sign) => [0.3, 0.8, 1.5, 0.8, 0.3, 0].map((share) => [sign * share, share]));
     const places = way.map(([x, y]) => [from[0] + (x * view.width) / view.scale, from[1] + (y * view.height) / view.scale]);
@@ -245,7 +245,7 @@ Object.assign(STEPS_OF, {
     expect(!new Pose(state.q).error, name, "stays in a gap");
   },
   /// Numbers that are typed, beyond the slider's ends and in other units; what is none is refused and forgotten.
-  async typed() {
+  async "typed"() {
     play(false);
     const type = async (id, text) => {
       const field = $(`#${id}_field`);
@@ -279,7 +279,7 @@ Object.assign(STEPS_OF, {
     await drawn();
   },
   /// Reactions are as long as one scale says, and the scale is drawn.
-  async arrows() {
+  async "arrows"() {
     play(false);
     const lengthOf = (path) => {
       const [, x, y, u, v] = /^M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)/.exec(path.getAttribute("d")).map(Number);
@@ -303,7 +303,7 @@ Object.assign(STEPS_OF, {
     expect(seen > 40, "only", seen, "arrows");
   },
   /// Where a peak would leave other arrows too short, its arrow is cut and has two heads.
-  async cut() {
+  async "cut"() {
     play(false);
     const most = view.width < 500 ? 36 : 90;
     let [cut, whole] = [0, 0];
@@ -326,7 +326,7 @@ Object.assign(STEPS_OF, {
     expect(Math.max(...peaks) > 2 * largestForce && nodes.forceWords.textContent === "20 kN (» longer)", "the scale is", nodes.forceWords.textContent);
   },
   /// Played, an input moves by its rate, so much slower or faster than our time.
-  async pace() {
+  async "pace"() {
     play(false);
     for (const share of [1, 0.5, -0.25, 0]) {
       state.rate = inputs[0].rate * share;
@@ -338,7 +338,7 @@ Object.assign(STEPS_OF, {
     expect(Math.abs((sizeOf(inputs[0]) / state.rate / pace) * Math.log10(5) - 5 * Math.log10(5)) < 5, "a turn takes", sizeOf(inputs[0]) / state.rate / pace);
   },
   /// The state behind the address, what is none of it, and an address that changes.
-  async address() {
+  async "address"() {
     play(false);
     const at = async (hash) => {
       location.hash = hash;
@@ -356,7 +356,7 @@ Object.assign(STEPS_OF, {
     await at("");
   },
   /// A second finger, and the other button of a mouse, move nothing.
-  async fingers(name) {
+  async "fingers"(name) {
     play(false);
     const far = ([x, y]) => [x + 40 / view.scale, y + 30 / view.scale];
     send("pointerdown", now(name), { button: 2 });
@@ -372,7 +372,7 @@ Object.assign(STEPS_OF, {
     expect(!drag, "it is not let go");
   },
   /// What a slider holds at its ends, fingers, and readers of the screen.
-  async ends() {
+  async "ends"() {
     play(false);
     const [input] = inputs, range = $(`#input_${input.name}`);
     await set(range, range.max);

@@ -1,6 +1,7 @@
 //! A page of a machine before and after a search: the curves of both, what was asked for, and what tolerances do.
 
 use linkage_core::mechanism;
+use linkage_core::sketch::shortened;
 
 use super::browser::{Visit, scripted};
 
@@ -83,7 +84,7 @@ addEventListener("load", () => setTimeout(() => {
   is(`effects ${effects} for ${PLANNED}`, effects.length === 2 && effects.every((x, k) => Math.abs(x - PLANNED[k]) < 1e-14));
   // The table follows the cursor not more often than can be read.
   tellTolerances();
-  const cells = [...$("#tolerances table").rows].map((row) => [...row.cells].map(({ textContent }) => textContent));
+  const cells = [...$("#tolerances table")["rows"]].map((row) => [...row["cells"]].map(({ textContent }) => textContent));
   told.push(cells.join("; "), $("#tolerances p").textContent);
   const larger = Math.abs(effects[0]) > Math.abs(effects[1]) ? "coupler" : "rocker";
   is("a pose at every end", !$("#tolerances p").textContent.includes("no pose"));
@@ -98,7 +99,7 @@ addEventListener("load", () => setTimeout(() => {
   frame();
   is("no pose at an end", $("#tolerances p").textContent.includes("a tolerance has no pose"));
   told.push("looked at");
-  parent.postMessage({ failures, told }, "*");
+  parent.postMessage({ failures, "told": told }, "*");
 }, 400));
 "##;
 
@@ -115,8 +116,9 @@ fn a_page_has_the_curves_of_before_and_what_is_wanted() {
         0.5 * (swing(COUPLER + 1e-4, ROCKER) - swing(COUPLER - 1e-4, ROCKER)),
         0.5 * (swing(COUPLER, ROCKER + 1e-4) - swing(COUPLER, ROCKER - 1e-4)),
     ];
-    let told =
-        scripted(&[visit], "before", &[], |_| SEEN.replace("PLANNED", &format!("{effects:?}")));
+    let told = scripted(&[visit], "before", &[], |_| {
+        shortened(&SEEN.replace("PLANNED", &format!("{effects:?}")))
+    });
     assert!(told.contains("looked at") && !told.contains("FAILED"), "{told}");
 }
 

@@ -3,6 +3,8 @@
 
 use std::fmt::Write;
 
+use linkage_core::sketch::shortened;
+
 use super::chromium::run;
 use super::hard;
 
@@ -35,7 +37,7 @@ fn visited(visits: &[Visit], name: &str, flags: &[&str]) -> String {
     let is_still = flags.contains(&"--force-prefers-reduced-motion");
     let hand = [include_str!("drag.js"), include_str!("asked.js")].concat();
     scripted(visits, name, flags, |steps| {
-        format!("{{ const IS_STILL = {is_still}, PLANNED = {steps};\n{hand} }}")
+        shortened(&format!("{{ const IS_STILL = {is_still}, PLANNED = {steps};\n{hand} }}"))
     })
 }
 
@@ -229,7 +231,7 @@ fn faults(half: usize, pages: &[(&'static str, String)]) -> (String, usize) {
     };
     let visits: Vec<Visit> = pages.iter().flat_map(of_look).collect();
     let (name, flags) = (format!("over_{half}"), ["--force-prefers-reduced-motion"]);
-    let found = scripted(&visits, &name, &flags, |_| include_str!("over.js").to_string());
+    let found = scripted(&visits, &name, &flags, |_| shortened(include_str!("over.js")));
     let seen = found.lines().filter(|line| line.ends_with(" texts")).count();
     assert_eq!(seen, visits.len(), "{found}");
     let poses = found.lines().filter_map(|line| line.trim().strip_suffix(" poses"));
@@ -249,7 +251,7 @@ const MEASURE: &str = r#"
     if (own) MACHINE[name] = (...args) => (asked++, own(...args));
   }
   const changes = new MutationObserver(() => {});
-  changes.observe(document, { subtree: true, childList: true, attributes: true, characterData: true });
+  changes.observe(document, { subtree: true, childList: true, "attributes": true, characterData: true });
   const measured = (count, what, change) => {
     const times = [], found = { formulas: 0, changes: 0 };
     for (let k = 0; k < count; k++) {
@@ -283,7 +285,8 @@ const MEASURE: &str = r#"
 #[ignore = "needs chromium"]
 fn a_frame_evaluates_few_formulas_and_changes_little() {
     for name in ["flying_shear::FlyingShear", "excavator::Excavator", "calibration::SixBar"] {
-        let html = page(name).replace("</html>", &format!("<script>{MEASURE}</script></html>"));
+        let html = page(name)
+            .replace("</html>", &format!("<script>{}</script></html>", shortened(MEASURE)));
         let found =
             run(&html, "measure", &["--force-prefers-reduced-motion", "--window-size=1280,900"]);
         println!("{name}: {found}");

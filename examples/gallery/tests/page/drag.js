@@ -1,4 +1,5 @@
-// A reader's hand on a page: what it drags, sets and presses, and what the page makes of it.
+// A reader's hand on a page: what it drags, sets and presses, and what the page makes of it. It has the page's short names;
+// what the browser and Rust call so as well stands in quotes.
 
 const failures = [];
 const expect = (isMet, ...words) => { if (!isMet) failures.push(words.join(" ")); };
@@ -57,7 +58,7 @@ const overlapping = (texts) => {
 
 const STEPS_OF = {
   /// Twice round by the crank's pin, the pointer outside its circle; the input winds up.
-  async crank() {
+  async "crank"() {
     const [centre, from] = [now("A"), now("B")], begun = state.q[0];
     const first = Math.atan2(from[1] - centre[1], from[0] - centre[0]), radius = 1.7 * apart(centre, from);
     const places = Array.from({ length: 96 }, (_, k) => first + ((k + 1) * 4 * Math.PI) / 96)
@@ -71,7 +72,7 @@ const STEPS_OF = {
     expect(Math.abs(state.q[0] - begun - 4 * Math.PI) < 0.1, "two turns are", state.q[0] - begun);
   },
   /// A coupler point along its own path, as far as the machine can follow.
-  async coupler(name) {
+  async "coupler"(name) {
     play(false);
     const runs = [[]];
     for (const { pose } of samples) {
@@ -91,7 +92,7 @@ const STEPS_OF = {
   },
   /// A point towards a place beyond its reach, so many of the picture's widths away, and back: it stays in
   /// poses that can be assembled.
-  async limit(name, across, up) {
+  async "limit"(name, across, up) {
     play(false);
     const from = now(name), far = view.width / view.scale;
     const shares = Array.from({ length: 60 }, (_, k) => 1 - Math.abs(1 - (k + 1) / 30));
@@ -107,7 +108,7 @@ const STEPS_OF = {
     expect(!$("#state").classList.contains("warn"), "a warning stays:", $("#state").textContent);
   },
   /// A point of several inputs' reach along a line and back.
-  async reach(name) {
+  async "reach"(name) {
     play(false);
     go(inputs.map(({ from, to }) => (from + to) / 2));
     await drawn();
@@ -120,7 +121,7 @@ const STEPS_OF = {
     });
   },
   /// An input that would leave its range goes to its end, and another one does the rest.
-  async held() {
+  async "held"() {
     const [a, b, ...others] = inputs, s = sizeOf(a), middle = ({ from, to }) => (from + to) / 2;
     const moves = [[1, 0.5], [1, 1], ...others.map(() => [0, 0])], free = [0.05 * s, 0.02 * s], q = [a.to - 0.01 * s, ...[b, ...others].map(middle)];
     const e = [0, 1].map((axis) => moves[0][axis] * free[0] + moves[1][axis] * free[1]), [x, y] = change(moves, e, q);
@@ -128,7 +129,7 @@ const STEPS_OF = {
     expect(Math.abs(x - 0.01 * s) < 1e-9 && Math.abs(y / (0.05 * s) - 1) < 1e-3, "the steps are", x / s, y / s);
   },
   /// A pointer on a joint takes that one, also where others are near.
-  async nearest() {
+  async "nearest"() {
     play(false);
     const pose = new Pose(state.q), crowd = movable.filter((one) => movable.some((other) => other !== one && apart(pose.point(one), pose.point(other)) * view.scale < 28));
     expect(crowd.length > 2, "near each other are", crowd.length);
@@ -141,7 +142,7 @@ const STEPS_OF = {
     }
   },
   /// Into a gap and out of it.
-  async gap() {
+  async "gap"() {
     play(false);
     const centre = now("A"), radius = apart(centre, now("B"));
     const at = (angle) => [centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle)];
@@ -167,7 +168,7 @@ const STEPS_OF = {
     expect(charts.every(({ out }) => out.getAttribute("d").startsWith("M")), "no band over the gap");
   },
   /// A finger on a joint, or near it, drags that, and the page stays where it is; beside one it scrolls.
-  async touch(name) {
+  async "touch"(name) {
     play(false);
     const box = figure.getBoundingClientRect(), touched = (place, off) => {
       const [x, y] = onPage(place), at = { clientX: box.left + x + off, clientY: box.top + y };
@@ -184,7 +185,7 @@ const STEPS_OF = {
     lift("pointerup");
   },
   /// The drives that hold the machine at rest: an area over the chart, its ends at the cursor, in the table and as text.
-  async band() {
+  async "band"() {
     play(false);
     const [chart] = charts.filter(({ hasBand }) => hasBand), area = chart.band.getAttribute("d");
     expect(/^M.*Z$/.test(area), "the band is", area.slice(0, 20));
@@ -199,7 +200,7 @@ const STEPS_OF = {
     expect(samples.some(({ refused }) => refused?.kind === "Jams") || samples.every(({ forces }) => forces), "forces are gone without a reason");
   },
   /// So much friction that joints jam at some poses: the band is interrupted there, and the table says why.
-  async jams(parts) {
+  async "jams"(parts) {
     play(false);
     const [slider] = document.querySelectorAll("#params input[type=range]");
     await set(slider, slider.max);
@@ -224,14 +225,14 @@ const STEPS_OF = {
     expect(chart.band.getAttribute("d").split("M").length === 2, "less friction leaves", chart.band.getAttribute("d").split("M").length - 1);
   },
   /// Charts of motions that are none are left out.
-  async flat(...names) {
+  async "flat"(...names) {
     const hidden = charts.filter(({ svg }) => getComputedStyle(svg).display === "none");
     const found = hidden.map(({ title, series }) => `${title.textContent} ${series.map(({ name }) => name)}`);
     expect(found.join() === names.join(), "left out are", found.join());
     expect(charts.length > hidden.length, "no chart is left");
   },
   /// Every slider at both ends and back, every mode.
-  async sliders() {
+  async "sliders"() {
     play(false);
     for (const input of document.querySelectorAll("input[type=range]")) {
       const { value, min, max } = input;
@@ -249,7 +250,7 @@ const STEPS_OF = {
     await drawn();
   },
   /// The keyboard alone.
-  async keys() {
+  async "keys"() {
     play(false);
     figure.focus();
     const begun = state.q[0];
@@ -262,7 +263,7 @@ const STEPS_OF = {
     expect($("#play").textContent === "Play", "space does not stop");
   },
   /// Numbers of the curves as text, the copied declaration, and the state in the address.
-  async texts() {
+  async "texts"() {
     play(false);
     const all = csv().trim().split("\n"), lines = all.filter((line) => !line.startsWith("# ")), head = lines[0].split(",").length;
     const above = all.slice(0, all.length - lines.length), names = [...params, ...loads].map(({ name }) => name);
@@ -280,7 +281,7 @@ const STEPS_OF = {
     $("#reset").click();
     await drawn();
   },
-  async look() {
+  async "look"() {
     const over = charts.flatMap(({ svg }) => overlapping(svg.querySelectorAll("text")));
     expect(!over.length, "texts of a chart:", over.join("; "));
     const names = overlapping(document.querySelectorAll(".names text"));
@@ -300,5 +301,5 @@ addEventListener("load", () => setTimeout(async () => {
     sound(step);
   }
   expect(performance.getEntriesByType("resource").length === 0, "something was asked of the network");
-  parent.postMessage({ failures: failures.slice(0, 6), told: [`${spent.length} frames`] }, "*");
+  parent.postMessage({ failures: failures.slice(0, 6), "told": [`${spent.length} frames`] }, "*");
 }, 200));

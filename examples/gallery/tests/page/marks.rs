@@ -4,6 +4,8 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
+use linkage_core::sketch::shortened;
+
 use super::browser::{Visit, scripted};
 use super::hard::{Marked, MarkedLoads, Pushed};
 use super::numbers::{Functions, asked, compare_by, has_node};
@@ -134,7 +136,7 @@ addEventListener("load", () => setTimeout(() => {
   is(!isShown(nodes.wheels[0]) && isShown(nodes.wheels[2]), "wheels roll on nothing");
   is(arrows >= 6 && arcs >= 6, arrows, "arrows and", arcs, "arcs are drawn");
   told.push(`${arrows} arrows, ${arcs} arcs`);
-  parent.postMessage({ failures, told: [...told, "looked"] }, "*");
+  parent.postMessage({ failures, "told": [...told, "looked"] }, "*");
 }, 300));
 "##;
 
@@ -160,7 +162,7 @@ fn a_browser_draws_masses_weights_wheels_and_couples_where_the_solver_has_them()
     }
     let html = own.page().rate("theta", rate).to_html().unwrap();
     let visit = |width| Visit { name: "Marked", html: html.clone(), width, steps: "" };
-    let script = format!("{{ const EXPECTED = [{expected}];\n{SEEN} }}");
+    let script = shortened(&format!("{{ const EXPECTED = [{expected}];\n{SEEN} }}"));
     let found =
         scripted(&[visit(1280), visit(360)], "marks", &["--force-prefers-reduced-motion"], |_| {
             script.clone()
@@ -191,7 +193,7 @@ addEventListener("load", () => setTimeout(() => {
     });
   }
   is(seen === 4, seen, "arrows");
-  parent.postMessage({ failures, told: ["looked"] }, "*");
+  parent.postMessage({ failures, "told": ["looked"] }, "*");
 }, 300));
 "##;
 
@@ -215,7 +217,7 @@ fn a_browser_draws_the_drives_of_a_cylinder_and_a_block() {
     let page = solver.page().range("s", 0.4..=0.65).range("x", 0.1..=0.4);
     let html = page.rate("s", 0.0).to_html().unwrap();
     let visit = Visit { name: "Pushed", html, width: 1280, steps: "" };
-    let script = format!("{{ const EXPECTED = [{expected}];\n{PUSHED} }}");
+    let script = shortened(&format!("{{ const EXPECTED = [{expected}];\n{PUSHED} }}"));
     let flags = ["--force-prefers-reduced-motion"];
     let found = scripted(&[visit], "pushed", &flags, |_| script.clone());
     assert!(found.contains("looked") && !found.contains("FAILED"), "{found}");

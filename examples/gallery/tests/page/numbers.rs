@@ -9,7 +9,7 @@ use std::process::Command;
 use gallery::declarations::*;
 use linkage_core::Solver;
 use linkage_core::find::Crossing;
-use linkage_core::sketch::{Drawn, Film, Paged, SketchError};
+use linkage_core::sketch::{Drawn, Film, Paged, SketchError, shortened};
 use linkage_core::{Record, SolveError};
 
 use super::{contents, hard, program};
@@ -166,7 +166,11 @@ pub(super) fn compare_by(asked: &Asked, functions: Functions) -> String {
     let foreign = functions == Functions::Browser;
     std::fs::write(
         &script_file,
-        format!("const FUSED = {FUSED}, FOREIGN = {foreign};\n{}{COMPARE}", script(&asked.html)),
+        format!(
+            "const FUSED = {FUSED}, FOREIGN = {foreign};\n{}{}",
+            script(&asked.html),
+            shortened(COMPARE)
+        ),
     )
     .unwrap();
     std::fs::write(&lines, &asked.lines).unwrap();

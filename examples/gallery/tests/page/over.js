@@ -4,12 +4,14 @@
 {
   const pen = document.createElement("canvas").getContext("2d");
   const isSeen = (node) => getComputedStyle(node).visibility === "visible";
+  /// Where a place in a node's own axes is drawn.
+  const drawnAt = (node, x, y) => new DOMPoint(x, y).matrixTransform(node.getCTM());
   const letters = (text) => {
-    const style = getComputedStyle(text), m = text.getCTM(), at = (list) => (list.length ? list[0].value : 0);
+    const style = getComputedStyle(text), at = (list) => (list.length ? list[0].value : 0);
     pen.font = `${style.fontStyle} ${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
     const size = pen.measureText(text.textContent);
-    const share = { middle: 0.5, end: 1 }[style.textAnchor] ?? 0;
-    const x = at(text.x.baseVal) + m.e - share * size.width, y = at(text.y.baseVal) + m.f;
+    const share = { "middle": 0.5, "end": 1 }[style.textAnchor] ?? 0;
+    const { x: anchor, y } = drawnAt(text, at(text.x.baseVal), at(text.y.baseVal)), x = anchor - share * size.width;
     return { left: x, right: x + size.width, top: y - size.actualBoundingBoxAscent, bottom: y + size.actualBoundingBoxDescent };
   };
   const texts = (root) => [...root.querySelectorAll("text")].filter((text) => isSeen(text) && text.textContent.trim())
@@ -28,20 +30,25 @@
   const solid = () => {
     const found = [];
     for (const path of nodes.bodies.querySelectorAll(".bar, .rod, .plate, .tube")) {
-      const m = path.getCTM(), kind = path.getAttribute("class");
-      for (const { x, y } of along(path)) found.push([m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f, kind, 1.5]);
+      const kind = path.getAttribute("class");
+      for (const place of along(path)) {
+        const { x, y } = drawnAt(path, place.x, place.y);
+        found.push([x, y, kind, 1.5]);
+      }
     }
     for (const block of [...nodes.bodies.querySelectorAll(".block")].filter(isSeen)) {
-      const m = block.getCTM();
-      for (let x = -12; x <= 12; x += 4) for (const y of [-7, 0, 7]) found.push([m.a * x + m.c * y + m.e, m.b * x + m.d * y + m.f, "block", 1]);
+      for (let along = -12; along <= 12; along += 4) for (const across of [-7, 0, 7]) {
+        const { x, y } = drawnAt(block, along, across);
+        found.push([x, y, "block", 1]);
+      }
     }
     for (const arrow of [...nodes.forces.querySelectorAll(".arrow")].filter(isSeen)) {
       if (arrow === nodes.forceScale) continue;
       for (const { x, y } of along(arrow)) found.push([x, y, "arrow", 1]);
     }
     for (const [k, pin] of nodes.pin.entries()) {
-      const m = pin.getCTM();
-      if (isSeen(pin)) found.push([m.e, m.f, `joint ${PLAN.points[k]}`, 4]);
+      const { x, y } = drawnAt(pin, 0, 0);
+      if (isSeen(pin)) found.push([x, y, `joint ${PLAN.points[k]}`, 4]);
     }
     return found;
   };
@@ -66,8 +73,8 @@
       const own = texts(svg);
       overlaps(own);
       for (const dot of svg.querySelectorAll(".dot")) {
-        const { e, f } = dot.getCTM();
-        if (svg.style.display !== "none" && isSeen(dot) && (f < top - 5 || f > height - bottom + 5 || e < left - 1)) fault("a dot beyond its chart");
+        const { x, y } = drawnAt(dot, 0, 0);
+        if (svg.style.display !== "none" && isSeen(dot) && (y < top - 5 || y > height - bottom + 5 || x < left - 1)) fault("a dot beyond its chart");
       }
       for (const [name, { left, right }] of own) if (left < -0.5 || right > width + 0.5) fault(`${name} over the edge of a chart`);
     }
@@ -81,7 +88,7 @@
     for (const node of document.querySelectorAll(".row label, .row > span, .field, button, select")) {
       if (node.scrollWidth > node.clientWidth + 1) fault(`${node.value || node.textContent} is cut`);
     }
-    const values = document.querySelector(".scroll");
+    const values = $("#values").parentElement;
     if (values.scrollWidth > values.clientWidth) fault(`the table is ${values.scrollWidth - values.clientWidth} wider than its place`);
     const boxesOf = (parent, kinds) => [...parent.querySelectorAll(kinds)].map((node) => node.getBoundingClientRect()).filter(({ width }) => width > 0);
     for (const line of document.querySelectorAll(".head, .row, .hint, #status")) {
@@ -106,6 +113,6 @@
       look();
       lookBeside();
     }
-    parent.postMessage({ failures: [...faults].map(([what, count]) => `${what} ${count}×`), told: [`${posed} poses`, `${seen} texts`] }, "*");
+    parent.postMessage({ failures: [...faults].map(([what, count]) => `${what} ${count}×`), "told": [`${posed} poses`, `${seen} texts`] }, "*");
   }, 200));
 }

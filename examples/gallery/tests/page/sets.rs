@@ -4,6 +4,7 @@
 
 use super::chromium::run;
 use linkage_core::mechanism;
+use linkage_core::sketch::shortened;
 
 mechanism! {
     /// A five-bar robot.
@@ -65,7 +66,7 @@ const READER: &str = r##"
 #[ignore = "needs chromium"]
 fn a_reader_chooses_what_drives() {
     let html = FiveBar::new().page().to_html().unwrap();
-    let html = html.replace("</html>", &format!("<script>{READER}</script></html>"));
+    let html = html.replace("</html>", &format!("<script>{}</script></html>", shortened(READER)));
     let flags =
         ["--virtual-time-budget=20000", "--window-size=1280,900", "--force-prefers-reduced-motion"];
     let found = run(&html, "sets", &flags);

@@ -4,6 +4,7 @@
 use core::f64::consts::TAU;
 
 use gallery::declarations::*;
+use linkage_core::sketch::shortened;
 use linkage_core::{Mechanism, Record, Solver};
 
 use super::browser::{Visit, scripted};
@@ -41,14 +42,14 @@ addEventListener("load", () => setTimeout(() => {
     const lines = csv().trim().split("\n").filter((line) => !line.startsWith("# "));
     say("head", ...lines[0].split(","));
     say("line", ...lines[k + 1].split(","));
-    for (const { cells } of $("#values").rows) if (cells[1].tagName === "TD") say("row", ...[...cells].map((cell) => cell.textContent));
+    for (const { "cells": cells } of $("#values")["rows"]) if (cells[1].tagName === "TD") say("row", ...[...cells].map((cell) => cell.textContent));
     if (share === 0.42) for (const name of offered) {
       showCurvesOf(name);
       show();
       readCharts();
     }
   }
-  parent.postMessage({ failures: [], told: [...out, "read"] }, "*");
+  parent.postMessage({ failures: [], "told": [...out, "read"] }, "*");
 }, 300));
 "##;
 
@@ -348,7 +349,7 @@ fn every_number_that_a_page_shows_is_the_solvers() {
         };
         let visits: Vec<Visit> = machines.iter().map(visit).collect();
         let found = scripted(&visits, "shown", &["--force-prefers-reduced-motion"], |_| {
-            format!("{{ {READ} }}")
+            shortened(&format!("{{ {READ} }}"))
         });
         assert_eq!(found.matches("\n  read").count(), machines.len(), "{found}");
         for machine in machines {

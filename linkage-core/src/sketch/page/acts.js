@@ -9,16 +9,16 @@ let kept = null;
 /// The answers of another state.
 const answersOf = ({ p, l, rate }, q) => {
   const own = { p: state.p, l: state.l, rate: state.rate };
-  Object.assign(state, { p, l, rate });
+  assign(state, { p, l, rate });
   const answers = answersAt(new Pose(q));
-  Object.assign(state, own);
+  assign(state, own);
   return answers;
 };
 
 const keep = () => {
   kept = kept ? null : { p: [...state.p], l: [...state.l], rate: state.rate, axis: state.axis, q: [...state.q], samples };
   $("#keep").setAttribute("aria-pressed", !!kept);
-  $("#kept").textContent = kept ? "Dashed: curves and paths that are kept. In the table: the change since then." : "";
+  say($("#kept"), kept ? "Dashed: curves and paths that are kept. In the table: the change since then." : "");
   draw(CURVES);
 };
 /// Keeps the curves of the parameters of before, over the same input.
@@ -75,7 +75,7 @@ const drawPicked = (pose, { motion }) => {
     if (!isShown) return;
     const from = onPage(at), to = [from[0] + (vx / size) * length, from[1] - (vy / size) * length];
     trace(path, arrowTo(from, to));
-    text.textContent = inScale(size, shownIn("m", order, size));
+    say(text, inScale(size, shownIn("m", order, size)));
     const wide = roomOf(text);
     write(text, wide, [-6, 16, -22, 32].flatMap((dy) => [[to[0] + 6, to[1] + dy], [to[0] - 6 - wide, to[1] + dy]]));
   });
@@ -100,14 +100,14 @@ const tellPicked = (pose, { motion, forces }) => {
     if (isOwn) said.push([row.label, forces && inScale(forces[k], row.scales[0].shown, row.scales[0].noise)]);
   });
   const head = $("#picked h2"), list = $("#picked dl");
-  head.textContent = name;
+  say(head, name);
   const hint = said.length && own.length ? "" : `For more, name it in the declaration: output ${name};`;
-  $("#picked p").textContent = hint;
+  say($("#picked p"), hint);
   while (list.children.length > 2 * said.length) list.lastChild.remove();
   said.forEach(([what, value], k) => {
     const [term, cell] = [2 * k, 2 * k + 1].map((n) => list.children[n] ?? element(n % 2 ? "dd" : "dt", {}, list));
-    term.textContent = what;
-    cell.textContent = value || "–";
+    say(term, what);
+    say(cell, value || "–");
   });
 };
 

@@ -38,25 +38,37 @@ pub(super) const SHOWS: [&str; 5] = [
     include_str!("controls.js"),
 ];
 
-/// The files that only pages of some machines have, each with what stands in these machines' constants.
-pub(super) const PARTS: [(&[&str], &str); 10] = [
-    (&["const SETS"], include_str!("sets.js")),
-    (&["\nmarks: "], include_str!("marks.js")),
-    (&["\nforces: ", "\nappliedAt: ", "\nmarks: "], include_str!("forces.js")),
+/// The files that only pages of some machines have, each with what stands in these machines' constants, and with its style.
+pub(super) const PARTS: [(&[&str], &str, &str); 11] = [
+    (&["const SETS"], include_str!("sets.js"), ""),
+    (&["\nmarks: "], include_str!("marks.js"), include_str!("marks.css")),
+    (&["\nforces: ", "\nappliedAt: ", "\nmarks: "], include_str!("forces.js"), ""),
     (
         &["guides:[\"", "\"block\"", "\"sleeve\"", "\"cylinder\"", "\"slotted_bar\"", "\"yoke\""],
         include_str!("slides.js"),
+        include_str!("slides.css"),
     ),
-    (&["springs:[{"], include_str!("springs.js")),
-    (&["\nholding: "], include_str!("held.js")),
-    (&["params:[{"], include_str!("tolerance.js")),
-    (&["params:[{"], include_str!("defaults.js")),
-    (&["words:["], include_str!("modes.js")),
-    (&["_dynamics: "], include_str!("run.js")),
+    (&["springs:[{"], include_str!("springs.js"), ""),
+    (&["\nholding: "], include_str!("held.js"), ""),
+    (&["params:[{"], include_str!("tolerance.js"), include_str!("tolerance.css")),
+    (&["params:[{"], include_str!("defaults.js"), ""),
+    (&["words:["], include_str!("modes.js"), include_str!("modes.css")),
+    (&["wanted:[{"], include_str!("wanted.js"), ""),
+    (&["_dynamics: "], include_str!("run.js"), ""),
 ];
 
 /// The file that begins the page, behind all others.
 pub(super) const BEGINS: [&str; 1] = [include_str!("page.js")];
+
+/// The style of all pages, and what stands on them.
+pub(super) const STYLE: &str = include_str!("page.css");
+pub(super) const SKELETON: &str = include_str!("page.html");
+
+/// Every file of the run-time.
+pub(super) fn every_file() -> Vec<&'static str> {
+    let parts: Vec<&str> = PARTS.iter().map(|(_, file, _)| *file).collect();
+    [&ARITHMETIC[..], &SEARCH, &FRICTION, &READS, &RANGES, &SHOWS, &parts, &BEGINS].concat()
+}
 
 /// A mechanism as its page has it.
 #[derive(Clone, Copy, Debug)]
@@ -167,13 +179,14 @@ fn written([name, docs]: [&str; 2], consts: &str, wishes: &Wishes) -> String {
         where_has("from:NaN", &RANGES),
     );
     let parts = [&ARITHMETIC[..], search, friction, &READS, ranges];
-    let computes = format!("\"use strict\";\n{consts}{}", squeeze::script(&parts.concat()));
-    let own = PARTS.iter().filter(|(found, _)| found.iter().any(|found| has(found)));
-    let own: Vec<_> = own.map(|(_, file)| *file).collect();
+    let computes = [&[consts], &parts.concat()[..]].concat();
+    let computes = format!("\"use strict\";\n{}", squeeze::script(&computes));
+    let own = PARTS.iter().filter(|(found, ..)| found.iter().any(|found| has(found)));
+    let (own, styles): (Vec<_>, Vec<_>) = own.map(|(_, file, style)| (*file, *style)).unzip();
     let shown = [&SHOWS, &own[..], &BEGINS].concat();
     let shows = format!("\"use strict\";\n{}", squeeze::script(&shown));
     filled(&[
-        ("style", &squeeze::style(include_str!("page.css"))),
+        ("style", &squeeze::style(&[&[STYLE], &styles[..]].concat())),
         ("title", &escaped(title)),
         ("docs", &escaped(docs)),
         ("computes", &unclosed(&computes)),
@@ -183,7 +196,8 @@ fn written([name, docs]: [&str; 2], consts: &str, wishes: &Wishes) -> String {
 
 /// The skeleton of a page with these texts in its gaps.
 fn filled(texts: &[(&str, &str)]) -> String {
-    let mut parts = include_str!("page.html").split("{{");
+    let skeleton = squeeze::markup(SKELETON);
+    let mut parts = skeleton.split("{{");
     let mut page = parts.next().unwrap_or_default().to_string();
     for part in parts {
         let (gap, rest) = part.split_once("}}").unwrap_or((part, ""));

@@ -18,7 +18,7 @@ const slider = (into, id, { name, docs, unit }, shown, change, settle) => {
   describe(line, id, docs, input, field);
   const set = (x, { from, to } = {}) => {
     // What was typed beyond the ends is not cut off.
-    if (from !== undefined) Object.assign(input, { min: min(from, x), max: max(to, x) });
+    if (from !== undefined) assign(input, { min: min(from, x), max: max(to, x) });
     else if (x < +input.min) input.min = x;
     else if (x > +input.max) input.max = x;
     if (+input.value !== x) input.value = x;
@@ -138,7 +138,7 @@ const copyDeclaration = async () => {
     getSelection().addRange(range);
     document.execCommand("copy");
   }
-  $("#copy").textContent = "Copied";
+  say($("#copy"), "Copied");
   setTimeout(() => $("#copy").textContent = "Copy", 1200);
 };
 
@@ -205,5 +205,5 @@ const recall = (text) => {
     else if (part && !(BY && part === byIn(BY.set))) missed.push(part);
   }
   $("#missed").hidden = !missed.length;
-  $("#missed").textContent = missed.length ? `The address holds what this page does not know: ${missed.slice(0, 3).join(", ").slice(0, 80)}` : "";
+  say($("#missed"), missed.length ? `The address holds what this page does not know: ${missed.slice(0, 3).join(", ").slice(0, 80)}` : "");
 };

@@ -104,12 +104,13 @@ const buildCharts = () => {
     const node = (tag, attributes) => made(tag, attributes, svg);
     const out = node("path", { class: "out" }), grid = node("path", { class: "grid" }), zero = node("path", { class: "zero" });
     const inside = made("rect", {}, made("clipPath", { id: `inside${nth}` }, svg));
-    const ticks = node("g", { class: "ticks" }), band = node("path", { class: "band", "clip-path": `url(#inside${nth})` });
-    const olds = chart.series.map(() => node("path", { class: "old", "clip-path": `url(#inside${nth})` }));
-    const lines = chart.series.map((_, k) => node("path", { class: `curve s${k}`, "clip-path": `url(#inside${nth})` }));
-    const wanted = node("path", { class: "wanted", "clip-path": `url(#inside${nth})` });
+    const clipped = (own) => node("path", { class: own, "clip-path": `url(#inside${nth})` });
+    const ticks = node("g", { class: "ticks" }), band = clipped("band");
+    const olds = chart.series.map(() => clipped("old"));
+    const lines = chart.series.map((_, k) => clipped(`curve s${k}`));
+    const wanted = clipped("wanted");
     const title = node("text", { class: "title" }), legend = node("text", { class: "legend" });
-    title.textContent = chart.title;
+    say(title, chart.title);
     const labels = chart.series.map((_, k) => made("tspan", { class: `s${k}` }, legend)), rest = made("tspan", {}, legend);
     const cursor = node("path", { class: "cursor" });
     const dots = chart.series.map((_, k) => node("circle", { class: `dot s${k}`, r: 4 }));
@@ -125,7 +126,7 @@ const showCurvesOf = (name) => {
 
 /// Round numbers in a range, and how far apart they are.
 const roundNumbers = ([from, to], count) => {
-  const raw = (to - from) / count || 1, power = 10 ** Math.floor(Math.log10(raw));
+  const raw = (to - from) / count || 1, power = 10 ** floor(Math.log10(raw));
   const step = [1, 2, 2.5, 5, 10].map((factor) => factor * power).find((step) => step >= raw * (1 - 1e-9));
   const found = [];
   for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; k++) found.push(k * step);
@@ -133,9 +134,9 @@ const roundNumbers = ([from, to], count) => {
 };
 /// The words of round numbers that are so far apart.
 const tickWords = (x, step) => {
-  const tens = Math.floor(Math.log10(step)), rounded = Math.round(x / step) * step;
+  const tens = floor(Math.log10(step)), rounded = round(x / step) * step;
   if (tens < -5 || abs(x) >= 1e6) return digits(abs(x) < 1e-9 * step ? 0 : x, 3);
-  const decimals = [0, 1, 2, 3, 4, 5, 6].find((d) => abs(step * 10 ** d - Math.round(step * 10 ** d)) < 1e-6) ?? 6;
+  const decimals = [0, 1, 2, 3, 4, 5, 6].find((d) => abs(step * 10 ** d - round(step * 10 ** d)) < 1e-6) ?? 6;
   return rounded.toFixed(decimals).replace("-", "−").replace(/^−(0\.?0*)$/, "$1");
 };
 /// Angles that do not jump by a turn.
@@ -143,7 +144,7 @@ const unrolled = (values) => {
   let last = null;
   return values.map((x) => {
     if (!isFinite(x)) return x;
-    last = last === null ? x : x + 360 * Math.round((last - x) / 360);
+    last = last === null ? x : x + 360 * round((last - x) / 360);
     return last;
   });
 };
@@ -153,7 +154,7 @@ const unrolled = (values) => {
 const rangeOf = (values, margin = 0.06) => {
   const known = values.filter(isFinite).sort((a, b) => a - b);
   if (!known.length) return [0, 1];
-  const at = (share) => known[Math.round(share * (known.length - 1))];
+  const at = (share) => known[round(share * (known.length - 1))];
   const [inner, outer] = [at(0.98) - at(0.02), at(1) - at(0)];
   const isWild = outer > 3 * inner && inner > 0;
   const [from, to] = isWild ? [at(0.02) - 0.5 * inner, at(0.98) + 0.5 * inner] : [at(0), at(1)];
@@ -178,21 +179,12 @@ const prepared = (chart) => {
   const isShown = values.map((list) => !isZero(list) || values.every(isZero));
   const bands = samples.map(({ holding }) => (chart.hasBand && holding?.map((x) => shownOf(x, holds.scales[0]))) || null);
   const before = isBeside() ? chart.series.map(({ of, isAngle }) => (isAngle ? unrolled : (list) => list)(kept.samples.map(of))) : [];
-  const aims = aimsOf(chart, values[0]);
+  const aims = chart.pairs?.length ? aimsOf(chart, values[0]) : [];
   const range = rangeOf([...values, ...before].filter((_, k) => isShown[k % values.length]).concat(bands.filter(Boolean), aims.map(([, y]) => y)).flat());
   const [levels, step] = roundNumbers(range, 4), marks = levels.map((y) => [y, tickWords(y, step)]);
   const isFlat = !!chart.isMotion && values.every((list) => isZero(list) && list.some(isFinite)), [unit] = chart.scale().shown;
   const room = max(...[...marks.map(([, text]) => text), unit].map(widthOf)) + 14;
-  return Object.assign(chart, { values, before, aims, isShown, bands, range, marks, isFlat, unit, room });
-};
-
-/// What a chart's first row shall be, at values of the first input; angles in the curve's own turn.
-const aimsOf = ({ pairs = [], series: [{ isAngle }], scale }, values) => {
-  const [from, to] = domain();
-  return (state.axis ? [] : pairs).map(([x, wanted]) => {
-    const y = shownOf(wanted, scale()), near = values[clamp(Math.round((STEPS * (x - from)) / (to - from)), 0, STEPS)];
-    return [x, isAngle && isFinite(near) ? y + 360 * Math.round((near - y) / 360) : y];
-  });
+  return assign(chart, { values, before, aims, isShown, bands, range, marks, isFlat, unit, room });
 };
 
 const drawChart = (chart, width, left) => {
@@ -201,7 +193,7 @@ const drawChart = (chart, width, left) => {
   const [from, to] = domain();
   const X = (x) => left + ((width - left - right) * (x - from)) / (to - from);
   const Y = (y) => height - bottom - ((height - top - bottom) * (y - range[0])) / (range[1] - range[0]);
-  Object.assign(chart, { X, Y, left, right, top, bottom, width, height });
+  assign(chart, { X, Y, left, right, top, bottom, width, height });
   put(chart.svg, { viewBox: `0 0 ${width} ${height}`, "aria-label": `${chart.title.textContent} over ${inputs[state.axis].name}` });
   put(chart.inside, { x: left, y: top, width: width - left - right, height: height - top - bottom });
   trace(chart.out, gapsIn(chart));
@@ -264,7 +256,7 @@ const cursorAt = () => {
 
 const drawCursors = (now) => {
   const x = cursorAt(), [from, to] = domain();
-  const near = clamp(Math.round((STEPS * (x - from)) / (to - from)), 0, STEPS);
+  const near = clamp(round((STEPS * (x - from)) / (to - from)), 0, STEPS);
   for (const chart of charts) {
     const { X, Y, series, isShown, values, dots, labels, rest, cursor, top, bottom, height, unit } = chart;
     trace(cursor, `M${short(X(x))} ${top}V${height - bottom}`);
@@ -272,13 +264,13 @@ const drawCursors = (now) => {
     series.forEach(({ name, of, isAngle }, k) => {
       const y = of(now), isKnown = isFinite(y) && isShown[k];
       // The angle of the curve's own turn.
-      const level = isAngle && isFinite(values[k][near]) ? y + 360 * Math.round((values[k][near] - y) / 360) : y;
+      const level = isAngle && isFinite(values[k][near]) ? y + 360 * round((values[k][near] - y) / 360) : y;
       const isInside = isKnown && Y(level) > top - 5 && Y(level) < height - bottom + 5;
       show(dots[k], isInside, [X(x), Y(level)]);
-      labels[k].textContent = isShown[k] ? (isFirst ? "" : "   ") + `${name} ${withUnit(digits(y), unit)}`.trim() : "";
+      say(labels[k], isShown[k] ? (isFirst ? "" : "   ") + `${name} ${withUnit(digits(y), unit)}`.trim() : "");
       isFirst &&= !isShown[k];
     });
-    rest.textContent = chart.hasBand && now.holding ? `   at rest ${heldWords(now)}` : "";
+    say(rest, chart.hasBand && now.holding ? `   at rest ${heldWords(now)}` : "");
     // On a phone a long line is written smaller.
     const share = (chart.width - chart.left) / roomOf(chart.legend), size = share < 1 ? `${short(12.5 * share)}px` : "";
     if (chart.legend.style.fontSize !== size) chart.legend.style.fontSize = size;
@@ -339,7 +331,7 @@ const tellValues = (now) => {
   }
   told = time;
   const then = kept && !running && answersOf(kept, state.q);
-  for (const [cell, of] of cells) cell.textContent = of(now, then);
+  for (const [cell, of] of cells) say(cell, of(now, then));
   if (params.length) tellTolerances();
 };
 

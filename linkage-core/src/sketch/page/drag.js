@@ -24,7 +24,7 @@ const crankOf = (point) => {
 };
 
 /// An angle no farther than half a turn from zero.
-const nearest = (angle) => angle - TURN * Math.round(angle / TURN);
+const nearest = (angle) => angle - TURN * round(angle / TURN);
 
 /// Turns a crank by the angle from its point to the pointer: it winds up, and goes on into a gap.
 const turned = (crank, point, [x, y], q) => {

@@ -6,7 +6,7 @@
 let largestForce = 0, areCut = false;
 const sampleForces = () => {
   const peaks = samples.map((answers) => max(0, ...forcesIn(answers).map(([, force]) => Math.hypot(...(force ?? []))))).sort((a, b) => a - b);
-  const [usual, most] = [peaks[Math.floor(0.9 * STEPS)], peaks[STEPS]];
+  const [usual, most] = [peaks[floor(0.9 * STEPS)], peaks[STEPS]];
   areCut = usual > 0 && most > 2 * usual;
   largestForce = areCut ? usual : most;
 };
@@ -14,7 +14,7 @@ const sampleForces = () => {
 const drawForceScale = (most, [unit, times]) => {
   const round = roundBelow(largestForce * times);
   const length = (round / times / largestForce) * most, y = view.height - 14, right = view.width - 16;
-  nodes.forceWords.textContent = withUnit(digits(round, 1), unit) + (areCut ? " (» longer)" : "");
+  say(nodes.forceWords, withUnit(digits(round, 1), unit) + (areCut ? " (» longer)" : ""));
   const wide = roomOf(nodes.forceWords), x = right - wide - 8;
   trace(nodes.forceScale, arrowTo([x - length, y], [x, y]));
   show(nodes.forceWords, true, [x + 8, y + 4]);
@@ -44,7 +44,7 @@ const arrowsOf = (answers) => {
 /// Writes a number beside a place, at its left or right, and best on no joint.
 const tellForce = ({ text, effort }, pose, number, [x, y], isLeft) => {
   const pins = [...used].map((point) => pose.point(point)).filter((at) => at).map(onPage);
-  text.textContent = effort ? `${effort} ${number}` : number;
+  say(text, effort ? `${effort} ${number}` : number);
   const wide = roomOf(text), sides = [x + 6, x - 6 - wide];
   if (isLeft) sides.reverse();
   const spots = [-6, 16, -22].flatMap((dy) => sides.map((x) => [x, y + dy]));

@@ -102,7 +102,7 @@ const drawMarks = (answers, end) => {
   show(path, isAny);
   show(text, isAny);
   if (!isAny) return;
-  text.textContent = withUnit(digits(round, 1), unit);
+  say(text, withUnit(digits(round, 1), unit));
   const x = end - roomOf(text);
   traceArc(path, arcAbout([x - 16, y], 9, round / times));
   show(text, true, [x, y + 4]);

@@ -47,7 +47,7 @@ const fit = () => {
   const scale = min((width - 2 * spare) / wide, (inner - 2 * spare) / max(high, 1e-3 * wide));
   // Below stands the scale. Letters are as wide as the page's font has a digit beside Arial's.
   // While the page around this one moves a point, the scale stands still.
-  Object.assign(view, { scale, width, height: inner + 16, letter: widthOf("0") / 6.4, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 }, globalThis.MOVED?.view);
+  assign(view, { scale, width, height: inner + 16, letter: widthOf("0") / 6.4, x: width / 2 - (scale * (x0 + x1)) / 2, y: inner / 2 + (scale * (y0 + y1)) / 2 }, globalThis.MOVED);
   sample();
   build(poses);
   setAll();
@@ -82,7 +82,7 @@ const drawPose = () => {
   if (MACHINE.marks) drawMarks(now, end);
   drawPicked(pose, now);
   const said = inputs.map(({ name }, k) => `${name} ${inputWords(k)}`.replaceAll(" ", "\u00a0")).join("  ·  ");
-  $("#state").textContent = now.refused ? `${said}: ${why(now.refused)}` : said;
+  say($("#state"), now.refused ? `${said}: ${why(now.refused)}` : said);
   $("#state").classList.toggle("warn", !!now.refused);
   const held = drag && pose.point(drag.point);
   show(nodes.halo, held, held && onPage(held));
@@ -101,7 +101,7 @@ const go = (q) => {
 };
 
 const setAxis = (k) => {
-  Object.assign(state, { axis: k, rate: inputs[k].rate });
+  assign(state, { axis: k, rate: inputs[k].rate });
   $("#axis").value = k;
   setAll();
   setPace();
@@ -189,7 +189,7 @@ on($("#charts"), "pointerdown", (event) => {
 on($("#charts"), "pointermove", (event) => $("#charts").hasPointerCapture(event.pointerId) && scrub(event));
 
 on(figure, "keydown", (event) => {
-  const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+  const way = { "ArrowRight": 1, "ArrowUp": 1, "ArrowLeft": -1, "ArrowDown": -1 }[event.key];
   if (event.key === " ") play(!playing);
   else if (way) {
     const input = inputs[state.axis], step = input.isAngle ? PI / 180 : sizeOf(input) / 200;
@@ -205,7 +205,7 @@ on(figure, "keydown", (event) => {
 const SECONDS = 5;
 let playing = false, phase = 0, sense = 1, then = null, pace = 1;
 const PACES = [1000, 500, 200, 100, 50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
-const paceWords = (x) => (x < 1 ? `${Math.round(1 / x)} × slower` : x > 1 ? `${x} × faster` : "real time");
+const paceWords = (x) => (x < 1 ? `${round(1 / x)} × slower` : x > 1 ? `${x} × faster` : "real time");
 
 /// The pace at which a turn, or a way there and back, takes about five seconds.
 const setPace = () => {
@@ -219,7 +219,7 @@ const play = (wanted) => {
   if (running) run(false);
   if (wanted === playing) return;
   playing = wanted;
-  $("#play").textContent = playing ? "Pause" : "Play";
+  say($("#play"), playing ? "Pause" : "Play");
   $("#play").setAttribute("aria-pressed", playing);
   then = null;
   if (playing) requestAnimationFrame(tick);
@@ -233,7 +233,7 @@ const tick = (time) => {
   if (PAGE.path.length) {
     const { length } = PAGE.path;
     phase = (phase + (seconds / SECONDS) * length) % length;
-    const k = Math.floor(phase), [a, b] = [PAGE.path[k], PAGE.path[(k + 1) % length]];
+    const k = floor(phase), [a, b] = [PAGE.path[k], PAGE.path[(k + 1) % length]];
     go(a.map((x, n) => x + (b[n] - x) * (phase - k)));
   } else {
     go(withInput(state.axis, stepTo(state.rate * pace * seconds)));
@@ -249,7 +249,7 @@ const stepTo = (step) => {
   const isFree = (x) => within(x, input) === x && !new Pose(withInput(state.axis, x)).error;
   if (!isFree(next(sense)) && isFree(x)) sense = -sense;
   const to = next(sense);
-  return input.turns ? to - TURN * Math.floor(to / TURN) : within(to, input);
+  return input.turns ? to - TURN * floor(to / TURN) : within(to, input);
 };
 
 // ---- beginning --------------------------------------------------------------------------------------
@@ -273,8 +273,8 @@ const choose = (id, names) => {
 
 const reset = () => {
   play(false);
-  Object.assign(state, { q: inputs.map(({ at }) => at), p: params.map(({ value }) => value), l: loads.map(({ value }) => value) });
-  Object.assign(state, { axis: 0, rate: inputs[0].rate });
+  assign(state, { q: inputs.map(({ at }) => at), p: params.map(({ value }) => value), l: loads.map(({ value }) => value) });
+  assign(state, { axis: 0, rate: inputs[0].rate });
   $("#axis").value = 0;
   begin();
   setPace();
@@ -328,16 +328,16 @@ const start = () => {
   tellParent("ready");
 };
 
-on($("#play"), "click", () => play(!playing));
-on($("#reset"), "click", reset);
-on($("#copy"), "click", copyDeclaration);
-on($("#csv"), "click", () => {
+onClick("#play", () => play(!playing));
+onClick("#reset", reset);
+onClick("#copy", copyDeclaration);
+onClick("#csv", () => {
   save(new Blob([csv()], { type: "text/csv" }), "csv");
 });
-on($("#keep"), "click", keep);
+onClick("#keep", keep);
 for (const ending of ["svg", "png"]) {
-  on($(`#${ending}`), "click", () => saveDrawing([figure], ending));
-  on($(`#charts_${ending}`), "click", () => saveDrawing(charts.map(({ svg }) => svg).filter((svg) => svg.style.display !== "none"), ending));
+  onClick(`#${ending}`, () => saveDrawing([figure], ending));
+  onClick(`#charts_${ending}`, () => saveDrawing(charts.map(({ svg }) => svg).filter((svg) => svg.style.display !== "none"), ending));
 }
 on($("#shown"), "change", ({ target }) => {
   showCurvesOf(target.value);

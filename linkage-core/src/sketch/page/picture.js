@@ -3,8 +3,9 @@
 const $ = (selector) => document.querySelector(selector);
 const figure = $("#figure");
 const on = (node, kind, does) => node.addEventListener(kind, does);
+const onClick = (id, does) => on($(id), "click", does);
 const element = (tag, properties, parent) => {
-  const node = Object.assign(document.createElement(tag), properties);
+  const node = assign(document.createElement(tag), properties);
   parent?.append(node);
   return node;
 };
@@ -12,6 +13,7 @@ const element = (tag, properties, parent) => {
 const entitle = (node, text) => {
   text.split(/(?<=[._])/).forEach((part) => node.append(part, element("wbr")));
 };
+const say = (node, words) => node.textContent = words;
 const put = (node, attributes) => {
   for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
 };
@@ -122,8 +124,8 @@ const spotsOf = (pose, link) => joints[link].map((point) => pose.point(point)).f
 
 /// The parts of a link in a pose: paths of lines, plates, tubes and rods, and the seat of a block.
 const SHAPES = {
-  bar: (pose, { link }) => outline(spotsOf(pose, link)),
-  body: (pose, { link }) => {
+  "bar": (pose, { link }) => outline(spotsOf(pose, link)),
+  "body": (pose, { link }) => {
     const spots = spotsOf(pose, link);
     if (spots.length > 1) return outline(spots);
     const frame = pose.link(link);

@@ -13,7 +13,7 @@ const state = {
 
 const LINKS = 2 * PLAN.points.length, GUIDES = LINKS + 5 * PLAN.links.length;
 const DIMENSIONS = GUIDES + 4 * PLAN.guides.length;
-const DIMENSIONS_OF = { body: 0, sleeve: 0, bar: 1, cylinder: 1, block: 1, slotted_bar: 1, yoke: 2 };
+const DIMENSIONS_OF = { "body": 0, "sleeve": 0, "bar": 1, "cylinder": 1, "block": 1, "slotted_bar": 1, "yoke": 2 };
 
 /// The statements, each with its title in errors, where its dimensions begin, and what it makes.
 const statements = (() => {
@@ -44,7 +44,7 @@ const grounds = new Set(statements.flatMap(({ ground }) => (ground === undefined
 /// The name of the part that a number of a pose belongs to.
 const nameOfPlace = (place) =>
   place < LINKS ? PLAN.points[place >> 1]
-  : place < GUIDES ? PLAN.links[Math.floor((place - LINKS) / 5)]
+  : place < GUIDES ? PLAN.links[floor((place - LINKS) / 5)]
   : place < DIMENSIONS ? PLAN.guides[(place - GUIDES) >> 2]
   : PLAN.name;
 
@@ -52,7 +52,7 @@ const nameOfPlace = (place) =>
 class Pose {
   constructor(q) {
     this.q = q;
-    Object.assign(this, MACHINE.place(state.p, q));
+    assign(this, MACHINE.place(state.p, q));
     this.gone = this.error && this.#gone();
   }
 
@@ -125,11 +125,11 @@ const answersAt = (pose) => {
 
 /// How many numbers each kind of output has, as a position and as a rate, and its scalar rows.
 const KINDS = {
-  point: { numbers: [2, 2], rows: ["x", "y"] },
-  direction: { numbers: [2, 1], rows: ["angle"] },
-  sliding: { numbers: [3, 2], rows: ["angle", "slide"] },
-  slide: { numbers: [1, 1], rows: ["slide"] },
-  value: { numbers: [1, 1], rows: [""] },
+  "point": { numbers: [2, 2], rows: ["x", "y"] },
+  "direction": { numbers: [2, 1], rows: ["angle"] },
+  "sliding": { numbers: [3, 2], rows: ["angle", "slide"] },
+  "slide": { numbers: [1, 1], rows: ["slide"] },
+  "value": { numbers: [1, 1], rows: [""] },
 };
 
 /// The scalar rows of all outputs: the places of position, velocity and acceleration among a motion's numbers.

@@ -76,7 +76,7 @@ const findIdle = (size) => {
   for (const own of idle) {
     const n = params.indexOf(own), unit = own.unit in WRITTEN.m ? 0.5 * size : 10 * own.size;
     const isFree = n < 0 || mayBeNegative(state.p, n, unit);
-    Object.assign(own, { from: isFree ? -unit : 0, to: unit });
+    assign(own, { from: isFree ? -unit : 0, to: unit });
   }
 };
 
@@ -87,7 +87,7 @@ const findRanges = () => {
   findIdle(size);
   for (const { k, hasRate } of unbounded) {
     const [from, to] = travelOf(k, q, size), input = inputs[k];
-    Object.assign(input, { from, to });
+    assign(input, { from, to });
     if (!isFinite(input.at)) input.at = unbounded.length > 1 ? q[k] : 0.5 * (from + to);
     if (!isFinite(state.q[k])) state.q[k] = input.at;
     if (!hasRate) {

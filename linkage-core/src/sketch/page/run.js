@@ -32,7 +32,7 @@ const run = (wanted) => {
     draw(CURVES);
     remember();
   }
-  $("#run").textContent = running ? "Stop" : "Run";
+  say($("#run"), running ? "Stop" : "Run");
   $("#run").setAttribute("aria-pressed", !!running);
 };
 const runOn = (time) => {
@@ -47,11 +47,11 @@ const runOn = (time) => {
   const a = accelerations(q, v);
   go(q);
   if (!a || new Pose(q).error) return run(false);
-  Object.assign(running, { v, a, then: time });
+  assign(running, { v, a, then: time });
   requestAnimationFrame(runOn);
 };
 
-on($("#run"), "click", () => {
+onClick("#run", () => {
   // Masses move in real time at first.
   if (!running && pace !== 1) $("#pace").value = pace = 1;
   run(!running);

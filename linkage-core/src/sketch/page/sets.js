@@ -29,7 +29,7 @@ const driveBy = (wanted) => {
   const other = SETS.find(({ set }) => set === wanted), q = inputsOf(other);
   const missed = q ? whyNot(other, q) : "this pose has no motion";
   $("#missed").hidden = !missed;
-  $("#missed").textContent = missed && `Driven by ${BY.set} on: ${missed}.`;
+  say($("#missed"), missed && `Driven by ${BY.set} on: ${missed}.`);
   if (missed) {
     $("#by").value = BY.set;
     return;

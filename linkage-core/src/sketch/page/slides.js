@@ -37,8 +37,8 @@ const endsOf = (guide) => {
   return [least - OVERRUN / view.scale, most + OVERRUN / view.scale];
 };
 
-Object.assign(SHAPES, {
-  cylinder: (pose, { link, pivot }, { pin }) => {
+assign(SHAPES, {
+  "cylinder": (pose, { link, pivot }, { pin }) => {
     const [a, b] = [pivot, pin].map((point) => onPage(pose.point(point)));
     const [shortest, longest] = travel.lengths.get(link).map((length) => length * view.scale);
     const tube = max(min(shortest - 0.12 * (longest - shortest) - 10, apart(a, b) - 10), 0.3 * shortest);
@@ -49,17 +49,17 @@ Object.assign(SHAPES, {
       tube: pathOf([along(a, b, 8, 7), along(a, b, tube, 7), along(a, b, tube, -7), along(a, b, 8, -7)], true),
     };
   },
-  block: (pose, member) => {
+  "block": (pose, member) => {
     const frame = pose.link(member.link), spots = spotsOf(pose, member.link);
     const seat = placed(frame, [0, -pose.dimension(member)]), stub = pathOf([onPage(seat), onPage(frame.at)]);
     const { bar = "", plate } = spots.length > 1 ? outline(spots) : {};
     return { bar: bar + stub, plate, block: { ...frame, at: seat } };
   },
-  sleeve: (pose, { link }) => {
+  "sleeve": (pose, { link }) => {
     const spots = spotsOf(pose, link);
     return { ...(spots.length > 1 ? outline(spots) : {}), block: pose.link(link) };
   },
-  slotted_bar: (pose, member) => {
+  "slotted_bar": (pose, member) => {
     const frame = pose.link(member.link), offset = pose.dimension(member), over = OVERRUN / view.scale;
     const [least, most] = slidesOn(member.link);
     const own = joints[member.link].map((point) => pose.point(point)).filter(Boolean).map((spot) => seenFrom(frame, spot));
@@ -71,7 +71,7 @@ Object.assign(SHAPES, {
     const { bar = "", plate } = isAside && own.length > 1 ? outline(spotsOf(pose, member.link)) : {};
     return { bar: line + bar + (offset ? stub : ""), plate };
   },
-  yoke: (pose, member, { members }) => {
+  "yoke": (pose, member, { members }) => {
     const yoke = pose.link(member.link), { link } = members.find(({ shape }) => shape === "sleeve");
     const first = { ...pose.link(link), at: placed(yoke, [0, pose.dimension(member)]) };
     const slot = { ...first, at: placed(first, [0, pose.dimension(member, 1)]) };

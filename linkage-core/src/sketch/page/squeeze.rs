@@ -1,18 +1,37 @@
-//! Scripts and styles without what only their authors read: comments, indents, and spaces beside signs.
+//! Scripts and styles without what only their authors read: comments, indents, spaces beside signs, and long names.
 //!
 //! Lines that a sign ends are joined with the next one, and so is a line that a sign begins; elsewhere the end of a line
 //! may end a statement. Texts and regular expressions stay as they are, but for the expressions in a template; a slash
-//! begins one of these behind a sign or at the start of a line, and divides elsewhere. `const` becomes the shorter `let`,
-//! and declarations that follow each other are one.
+//! begins one of these behind a sign or at the start of a line, and divides elsewhere. Words that have a shorter equal
+//! become that, as `const` the shorter `let`, and declarations that follow each other are one.
 
+use std::format;
 use std::iter::Peekable;
 use std::str::Chars;
 use std::string::String;
 use std::vec::Vec;
 
-/// Files of JavaScript, one behind the other.
+use super::assembled::every_file;
+use super::names::Names;
+
+/// Words of the language that others say in fewer letters.
+const EQUALS: [(&str, &str); 4] =
+    [("const", "let"), ("true", "!0"), ("false", "!1"), ("undefined", "void 0")];
+
+/// Files of JavaScript, one behind the other, with the short names of a page.
 pub(super) fn script(files: &[&str]) -> String {
-    let mut squeezed = Squeezed { text: String::new(), declares: [false].into() };
+    squeezed(files, Names::of_pages(), &mut |_| ())
+}
+
+/// A script that runs on a page beside the page's own, with the names that everything has there.
+#[must_use]
+pub fn shortened(file: &str) -> String {
+    script(&[file])
+}
+
+/// Files of JavaScript with these names. Every word of theirs is told.
+pub(super) fn squeezed(files: &[&str], names: &Names, told: &mut dyn FnMut(&str)) -> String {
+    let mut squeezed = Squeezed { text: String::new(), declares: [false].into(), names, told };
     for line in files.iter().flat_map(|file| file.lines().map(str::trim)) {
         if !line.is_empty() && !line.starts_with("//") {
             squeezed.line(line);
@@ -21,13 +40,15 @@ pub(super) fn script(files: &[&str]) -> String {
     squeezed.text
 }
 
-struct Squeezed {
+struct Squeezed<'a> {
     text: String,
     /// True where the present statement declares names: at the outermost level, and inside each open bracket.
     declares: Vec<bool>,
+    names: &'a Names,
+    told: &'a mut dyn FnMut(&str),
 }
 
-impl Squeezed {
+impl Squeezed<'_> {
     fn line(&mut self, line: &str) {
         if line.starts_with(['}', ']', ')', '.', '?', ':', '&', '|', '=']) {
             self.drop_last('\n');
@@ -79,6 +100,8 @@ impl Squeezed {
                 '/' if self.begins_text(before) => self.quoted('/', letters),
                 ' ' => self.space(before, letters.peek().copied()),
                 '}' if is_inner && self.declares.len() == depth => return self.text.push('}'),
+                '#' => self.text.push('#'),
+                letter if is_word(letter) => self.word(letter, letters),
                 letter => {
                     self.sign(letter, letters.peek().is_some());
                     self.text.push(letter);
@@ -93,13 +116,24 @@ impl Squeezed {
             || self.text.ends_with("return")
     }
 
-    fn space(&mut self, before: Option<char>, after: Option<char>) {
-        if let Some(begun) = self.text.strip_suffix("const")
-            && !begun.ends_with(|letter| is_word(letter) || letter == '.')
-        {
-            self.text.truncate(begun.len());
-            self.text.push_str("let");
+    /// Writes a word by its short name, or a number.
+    fn word(&mut self, first: char, letters: &mut Peekable<Chars<'_>>) {
+        let mut word = String::from(first);
+        while let Some(letter) = letters.next_if(|&letter| is_word(letter)) {
+            word.push(letter);
         }
+        if first.is_ascii_digit() {
+            // A fraction needs no zero before its point.
+            let is_fraction = word == "0" && letters.peek() == Some(&'.');
+            return self.text.push_str(if is_fraction { "" } else { &word });
+        }
+        (self.told)(&word);
+        let is_member = self.text.ends_with('.') && !self.text.ends_with("...");
+        let equal = EQUALS.iter().find(|(long, _)| *long == word && !is_member);
+        self.text.push_str(equal.map_or_else(|| self.names.short(&word), |(_, equal)| equal));
+    }
+
+    fn space(&mut self, before: Option<char>, after: Option<char>) {
         // Two signs of one kind would be another operator.
         let is_needed = before
             .zip(after)
@@ -148,24 +182,59 @@ impl Squeezed {
                 }
                 '[' if quote == '/' => is_in_class = true,
                 ']' => is_in_class = false,
-                letter if letter == quote && !is_in_class => return,
+                letter if letter == quote && !is_in_class => break,
                 _ => {}
             }
+        }
+        // Flags of a regular expression are no word.
+        while quote == '/' && letters.peek().is_some_and(|&letter| is_word(letter)) {
+            self.text.extend(letters.next());
         }
     }
 }
 
 fn is_word(letter: char) -> bool {
-    letter.is_alphanumeric() || "_$#".contains(letter)
+    letter.is_alphanumeric() || "_$".contains(letter)
 }
 
-/// A style.
-pub(super) fn style(text: &str) -> String {
-    let mut squeezed: String = text.lines().map(str::trim).collect();
+/// Styles, one behind the other. Properties of their own are single letters in them, in the order in which they stand.
+pub(super) fn style(files: &[&str]) -> String {
+    let mut squeezed: String = files.iter().flat_map(|file| file.lines().map(str::trim)).collect();
     for (spaced, tight) in
         [(": ", ":"), (", ", ","), (" {", "{"), ("{ ", "{"), ("; ", ";"), (";}", "}")]
     {
         squeezed = squeezed.replace(spaced, tight);
+    }
+    for (name, letter) in properties(files).into_iter().zip('d'..) {
+        squeezed = squeezed.replace(&format!("--{name}"), &format!("--{letter}"));
+    }
+    squeezed
+}
+
+/// Properties of the styles' own with names of more than two letters that no script has.
+fn properties<'a>(files: &[&'a str]) -> Vec<&'a str> {
+    let (scripts, mut found) = (every_file(), Vec::new());
+    for part in files.iter().flat_map(|file| file.split("--").skip(1)) {
+        let end = part.find(|letter| !is_word(letter) && letter != '-').unwrap_or(part.len());
+        let (name, is_named) =
+            (&part[..end], |file: &&str| file.contains(&format!("--{}", &part[..end])));
+        if end > 2 && !found.contains(&name) && !scripts.iter().any(is_named) {
+            found.push(name);
+        }
+    }
+    found
+}
+
+/// A document: values of attributes need no quotes where they are words.
+pub(super) fn markup(text: &str) -> String {
+    let mut squeezed = String::new();
+    for (nth, part) in text.split('"').enumerate() {
+        let is_value = nth % 2 == 1;
+        let is_plain = !part.is_empty() && part.chars().all(|c| is_word(c) || c == '-');
+        match (is_value, is_plain) {
+            (true, false) => squeezed.extend(["\"", part, "\""]),
+            _ => squeezed.push_str(part),
+        }
     }
     squeezed
 }
@@ -176,9 +245,14 @@ mod tests {
 
     use super::*;
 
+    /// A file whose words stay.
+    fn unnamed(file: &str) -> String {
+        squeezed(&[file], &Names::default(), &mut |_| ())
+    }
+
     #[test]
     fn spaces_go_where_they_say_nothing() {
-        for (written, squeezed) in [
+        for (written, expected) in [
             ("const a = b + c;", "let a=b+c;"),
             ("  x - -y + +z", "x- -y+ +z\n"),
             ("return [a, \"b,  c\"];", "return[a,\"b,  c\"];"),
@@ -206,6 +280,9 @@ mod tests {
                 "for (const [a, b] of c) d(constant, x.const );",
                 "for(let[a,b]of c)d(constant,x.const);",
             ),
+            ("a = true && x.true, b = [undefined, ...false]", "a=!0&&x.true,b=[void 0,...!1]\n"),
+            ("return 0.5 - a[0] * 10.05 + 0x0f + b0.c", "return .5-a[0]*10.05+0x0f+b0.c\n"),
+            ("this.#a = /a[/]b/gu.test(c)", "this.#a=/a[/]b/gu.test(c)\n"),
             // Declarations behind each other are one, unless something stands between.
             (
                 "const a = 1;\nlet b = (c) => {\n  const d = c;\n  const e = d;\n};\nconst f = 2;",
@@ -218,9 +295,16 @@ mod tests {
             ("const a = [\n  1,\n  ...b,\n];\nconst c = 2;", "let a=[1,...b],c=2;"),
             ("for (const a of b) c(a);\nconst d = 2;", "for(let a of b)c(a);let d=2;"),
         ] {
-            assert_eq!(script(&[written]), squeezed, "{written}");
+            assert_eq!(unnamed(written), expected, "{written}");
         }
-        assert_eq!(style("a b { c: d, e;\n  f: g; }\n"), "a b{c:d,e;f:g}");
+        assert_eq!(style(&["a b { c: d, e;\n  f: g; }\n", "h { i: j; }"]), "a b{c:d,e;f:g}h{i:j}");
+        assert_eq!(
+            style(&["a { --paper: #fff; --ink: #000; --x: 1; }", "b { c: var(--paper); }"]),
+            "a{--d:#fff;--ink:#000;--x:1}b{c:var(--d)}"
+        );
+        let (written, expected) =
+            ("<a b=\"c-d\" e=\"f g\" h=\"\">i</a>", "<a b=c-d e=\"f g\" h=\"\">i</a>");
+        assert_eq!(markup(written), expected);
     }
 
     /// The lines on which a template begins within another one's expression: its end would be taken for the outer one's.
@@ -255,7 +339,7 @@ mod tests {
     fn no_template_stands_within_a_template() {
         assert_eq!(nested_templates("`a ${b.map((c) => `${c}`)}`"), [1]);
         assert_eq!(nested_templates("`a ${\"`\"}` + `b` // `${`\n"), [0; 0]);
-        for file in crate::sketch::page::tests::every_file() {
+        for file in every_file() {
             let head = file.lines().next().unwrap_or_default();
             assert_eq!(nested_templates(file), [0; 0], "{head}");
         }

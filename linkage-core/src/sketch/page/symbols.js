@@ -27,7 +27,7 @@ const build = (poses) => {
   nodes.leads = made("path", { class: "lead" }, nodes.names);
   nodes.name = PLAN.points.map((name) => {
     const text = made("text", { class: "name" }, nodes.names);
-    text.textContent = name;
+    say(text, name);
     return text;
   });
   const arrow = (kind) => ({
@@ -189,7 +189,7 @@ const drawGap = (pose) => {
     if (bound) node.style.stroke = colours[failed.members[k].link];
   });
   trace(nodes.missing, ends && pathOf(ends));
-  nodes.missingWords.textContent = ends ? `${words(error.by, "m")} missing` : "";
+  say(nodes.missingWords, ends ? `${words(error.by, "m")} missing` : "");
   if (!ends) return;
   const [x, y] = ends[0].map((part, k) => (part + ends[1][k]) / 2), wide = roomOf(nodes.missingWords);
   write(nodes.missingWords, wide, [-10, 22, -28, 40].flatMap((dy) => [[x + 10, y + dy], [x - 10 - wide, y + dy]]));
@@ -238,6 +238,6 @@ const arrowTo = (from, to) => {
 };
 /// The largest of 1, 2 and 5 times a power of ten that is not above the number.
 const roundBelow = (most) => {
-  const power = 10 ** Math.floor(Math.log10(most));
+  const power = 10 ** floor(Math.log10(most));
   return [5, 2, 1].map((step) => step * power).find((x) => x <= most) ?? power;
 };

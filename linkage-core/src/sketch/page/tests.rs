@@ -13,7 +13,9 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::assembled::{ARITHMETIC, BEGINS, FRICTION, PARTS, RANGES, READS, SEARCH, SHOWS};
+use super::assembled::{
+    ARITHMETIC, BEGINS, FRICTION, PARTS, RANGES, READS, SEARCH, SHOWS, SKELETON, STYLE,
+};
 use super::squeeze;
 use crate::sketch::style::Theme;
 use amounts::amounts;
@@ -169,23 +171,20 @@ fn the_script_solves_for_friction_alike() {
     compare(cases.into_iter());
 }
 
-/// A page weighs 71 kB at most beside the formulas, the names and the arithmetic that decides limits, and with all that a
-/// machine can have 94 kB.
+/// A page weighs 53 kB at most beside the formulas, the names and the arithmetic that decides limits, and with all that a
+/// machine can have 71 kB.
 #[test]
 fn a_page_is_light() {
-    let [style, skeleton] = [include_str!("page.css"), include_str!("page.html")];
+    let weight = |scripts: &[&str], styles: &[&str]| {
+        squeeze::script(scripts).len() + squeeze::style(styles).len()
+    };
     let script = [&READS[..], &SHOWS, &BEGINS].concat();
-    let least = squeeze::style(style).len() + skeleton.len() + squeeze::script(&script).len();
-    assert!((60_000..71_000).contains(&least), "{least} bytes");
-    let parts: Vec<&str> = PARTS.iter().map(|(_, file)| *file).chain(RANGES).collect();
-    let most = least + squeeze::script(&parts).len();
-    assert!((80_000..94_000).contains(&most), "{most} bytes");
-}
-
-/// Every file of the run-time.
-pub(super) fn every_file() -> Vec<&'static str> {
-    let parts: Vec<&str> = PARTS.iter().map(|(_, file)| *file).collect();
-    [&ARITHMETIC[..], &SEARCH, &FRICTION, &READS, &RANGES, &SHOWS, &parts, &BEGINS].concat()
+    let least = squeeze::markup(SKELETON).len() + weight(&script, &[STYLE]);
+    assert!((50_000..53_000).contains(&least), "{least} bytes");
+    let parts: Vec<&str> = PARTS.iter().map(|(_, file, _)| *file).chain(RANGES).collect();
+    let styles: Vec<&str> = PARTS.iter().map(|(.., style)| *style).collect();
+    let most = least + weight(&parts, &styles);
+    assert!((60_000..71_000).contains(&most), "{most} bytes");
 }
 
 /// Links, reactions and loads have one colour on pages and in films.

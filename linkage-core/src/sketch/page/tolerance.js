@@ -22,7 +22,7 @@ const valuesWith = (own, q, k, by) => {
 /// The effects of each tolerance on the rows: half of what lies between its ends.
 const effectsAt = (own, q) => tolerated().map(({ name, k, by }) => {
   const [less, more] = [-by, by].map((by) => valuesWith(own, q, k, by));
-  const between = (a, b, { isAngle }) => (isAngle ? b - a - TURN * Math.round((b - a) / TURN) : b - a);
+  const between = (a, b, { isAngle }) => (isAngle ? b - a - TURN * round((b - a) / TURN) : b - a);
   return { name, by: own.map((row, n) => (less && more ? 0.5 * between(less[n], more[n], row) : NaN)) };
 });
 const worstOf = (effects, n) => effects.reduce((sum, { by }) => sum + abs(by[n]), 0);
@@ -83,11 +83,16 @@ const tellWorst = () => {
   const { name } = inputs[state.axis], { found, lost } = own.length && is ? largestWorst(own) : { found: [], lost: null };
   const worst = found.flatMap(([most, x], n) => (most < 0 ? [] : [`${own[n].label} ${words(most, own[n].unit)} at ${inputWords(state.axis, x)}`]));
   const said = worst.length ? `Worst case over ${name}: ${worst.join(", ")}.` : is ? "An output has tolerances, a force has none." : "Tolerances are those of parameters, param l = 80mm; declares one.";
-  $("#tolerances p").textContent = lost === null ? said : `${said} At ${inputWords(state.axis, lost)} a tolerance has no pose.`;
+  say($("#tolerances p"), lost === null ? said : `${said} At ${inputWords(state.axis, lost)} a tolerance has no pose.`);
 };
 
-/// The fields of both tolerances.
+/// The button, and what it shows: the fields of both tolerances, and the table.
 const offerTolerances = () => {
+  $("#keep").insertAdjacentHTML("afterend", '<button id=tolerate aria-pressed=false title="Tells what tolerances of the parameters do">Tolerances</button>');
+  const field = (id) => `<input type=text class=field id=tolerance_${id} autocomplete=off spellcheck=false></label>`;
+  const head = `<div class=head><h2>Tolerances</h2><div><label>Lengths ± ${field("m")}<label>angles ± ${field("rad")}</div></div>`;
+  const table = '<div class=scroll tabindex=0 role=region aria-label=Tolerances><table></table></div>';
+  $("#steady").insertAdjacentHTML("afterend", `<div id=tolerances hidden>${head}${table}<p></p></div>`);
   for (const [kind, unit] of [["m", "m"], ["rad", "rad"]]) {
     const field = $(`#tolerance_${kind}`), scale = () => shownIn(unit, 0, tolerances[kind]);
     const write = () => field.value = asTyped(tolerances[kind], scale());
@@ -100,6 +105,5 @@ const offerTolerances = () => {
     });
     write();
   }
-  on($("#tolerate"), "click", tolerate);
-  $("#tolerate").hidden = false;
+  onClick("#tolerate", tolerate);
 };

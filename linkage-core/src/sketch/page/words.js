@@ -1,6 +1,6 @@
 // Numbers in words: digits, prefixes and units, alike in tables, axes, legends, arrows and fields.
 
-const { abs, max, min, PI } = Math;
+const { abs, floor, max, min, round, PI } = Math, { assign } = Object;
 const PREFIXES = [["a", 1e-18], ["f", 1e-15], ["p", 1e-12], ["n", 1e-9], ["µ", 1e-6], ["m", 1e-3], ["", 1], ["k", 1e3], ["M", 1e6], ["G", 1e9]];
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -75,4 +75,4 @@ const numberIn = (text, unit, [shown, times]) => {
 };
 
 /// An angle of one turn.
-const wrapped = (angle) => angle - TURN * Math.floor(angle / TURN);
+const wrapped = (angle) => angle - TURN * floor(angle / TURN);

@@ -82,20 +82,23 @@ const WRONG = `mechanism! {
   await whole();
   expect((await text()) === WRONG.replace("400mm 0", "400mm, 0").replace("B, R, P", "B, C, P") || (await text()) === WRONG.replace("400mm 0", "400mm ,0").replace("B, R, P", "B, C, P"), "mended is", await text());
   // The coupler is dragged, or the input moved by keys.
-  let frame = await shown();
-  const state = () => frame.evaluate(() => [...state.q]);
+  const script = fs.readFileSync(path.join(folder, "frame.js"), "utf8");
+  /// The frame that is shown, with what it is asked.
+  const asked = async () => {
+    const frame = await shown();
+    await frame.evaluate(script);
+    return frame;
+  };
+  let frame = await asked();
+  const state = () => frame.evaluate(() => ASKED.inputs());
   const before = await state();
-  const spotOf = (name) => frame.evaluate((name) => {
-    const box = figure.getBoundingClientRect(), [x, y] = onPage(new Pose(state.q).point(PLAN.points.indexOf(name))), pixel = box.width / view.width;
-    return [box.left + x * pixel, box.top + y * pixel];
-  }, name);
   const stage = await page.locator("#stage").boundingBox();
   if (isKeys) {
     await tabTo(() => document.activeElement.matches("iframe.shown"));
-    for (let k = 0; k < 40 && !(await frame.evaluate(() => document.activeElement === figure)); k++) await keyboard.press("Tab");
+    for (let k = 0; k < 40 && !(await frame.evaluate(() => document.activeElement.id === "figure")); k++) await keyboard.press("Tab");
     for (let k = 0; k < 10; k++) await keyboard.press("ArrowRight");
   } else {
-    const [x, y] = await spotOf("P");
+    const [x, y] = await frame.evaluate(() => ASKED.spot("P"));
     await mouse.move(stage.x + x, stage.y + y);
     await mouse.down();
     await mouse.move(stage.x + x + 25, stage.y + y + 12, { steps: 6 });
@@ -133,10 +136,7 @@ const WRONG = `mechanism! {
     }
     await page.waitForTimeout(400);
     // The scale stands still until it is let go, and the joint is where the pointer is.
-    const now = await handle.boundingBox(), [u, v] = await (await shown()).evaluate(() => {
-      const box = figure.getBoundingClientRect(), [x, y] = onPage(new Pose(state.q).point(PLAN.points.indexOf("C"))), pixel = box.width / view.width;
-      return [box.left + x * pixel, box.top + y * pixel];
-    });
+    const now = await handle.boundingBox(), [u, v] = await (await asked()).evaluate(() => ASKED.spot("C"));
     expect(Math.hypot(now.x - at.x - 30, now.y - at.y + 20) < 3, "the handle is", now.x - at.x, now.y - at.y, "px away");
     expect(Math.hypot(stage.x + u - x - 30, stage.y + v - y + 20) < 3, "the joint is", stage.x + u - x, stage.y + v - y, "px away");
     await mouse.up();
@@ -192,11 +192,8 @@ const WRONG = `mechanism! {
     await (await coming).saveAs(path.join(folder, `${name}.zip`));
   }
   // The numbers that the page shows at an angle.
-  frame = await shown();
-  const numbers = await frame.evaluate(() => [0.5, 1, 2.5, 4].map((theta) => {
-    const pose = new Pose([theta]), at = pose.point(PLAN.points.indexOf("P"));
-    return [theta, ...at];
-  }));
+  frame = await asked();
+  const numbers = await frame.evaluate(() => [0.5, 1, 2.5, 4].map((theta) => [theta, ...ASKED.place("P", theta)]));
   fs.writeFileSync(path.join(folder, "numbers.json"), JSON.stringify(numbers));
   fs.writeFileSync(path.join(folder, "text.rs"), await text());
   if (!isKeys) {

@@ -7,6 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use linkage_core::sketch::shortened;
 use serde_json::json;
 
 use super::{skipped, wasm};
@@ -60,6 +61,8 @@ fn a_stranger_with_mouse_or_keys_exports_what_the_page_shows() {
         let foreign =
             foreign.map(|name| fs::read_to_string(machines.join(name)).expect("it is there"));
         fs::write(folder.join("foreign.json"), json!(foreign).to_string())
+            .expect("it can be written");
+        fs::write(folder.join("frame.js"), shortened(include_str!("frame.js")))
             .expect("it can be written");
         let way = folder.join("way.cjs");
         fs::write(&way, WAY).expect("it can be written");
