@@ -16,21 +16,22 @@ use linkage_core::mechanism;
 use skipped::skipped;
 
 include!("data/triad.rs");
+include!("data/seven.rs");
 
-const MACHINE: &str = include_str!("data/triad.rs");
-const CALLER: &str = include_str!("data/triad_caller.c");
+const TRIAD: [&str; 2] = [include_str!("data/triad.rs"), include_str!("data/triad_caller.c")];
+const SEVEN: [&str; 2] = [include_str!("data/seven.rs"), include_str!("data/seven_caller.c")];
 
-fn folder(name: &str) -> PathBuf {
+fn folder(name: &str, machine: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("assemblies_in_c").join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder can be made");
-    fs::write(folder.join("triad.rs"), MACHINE).expect("a file can be written");
+    fs::write(folder.join("machine.rs"), machine).expect("a file can be written");
     folder
 }
 
 fn printed(folder: &Path, more: &[&str]) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
-    command.args(["export", "c", "triad.rs", "-o", "."]).args(more).current_dir(folder);
+    command.args(["export", "c", "machine.rs", "-o", "."]).args(more).current_dir(folder);
     let output: Output = command.output().expect("the program starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
@@ -124,10 +125,10 @@ struct Compared {
 
 impl Compared {
     /// Compares a list, whose assemblies have more numbers behind them.
-    fn list(
+    fn list<const N: usize>(
         &mut self,
         told: &mut Told<'_>,
-        list: &List<6>,
+        list: &List<N>,
         mut more: impl FnMut(&mut Told<'_>, usize, [f64; 7]),
     ) {
         let [outcome, count, _, pieces] = told.numbers();
@@ -162,31 +163,30 @@ impl Compared {
     }
 }
 
-#[test]
-fn lists_in_c_are_those_of_rust() {
-    let folder = folder("beside_rust");
+/// The numbers that a caller in C writes of those that it is given; nothing without a compiler.
+fn told(name: &str, [machine, caller]: [&str; 2], given: &[f64]) -> Option<Vec<f64>> {
+    let folder = folder(name, machine);
     printed(&folder, &[]);
-    fs::write(folder.join("caller.c"), CALLER).expect("a file can be written");
-    if compiled(&folder, "cc", &["-std=c99", "-pedantic", "-Wmissing-prototypes", "-o", "caller"])
-        .is_none()
-    {
-        return;
-    }
-    let machines = machines();
+    fs::write(folder.join("caller.c"), caller).expect("a file can be written");
+    let flags = ["-std=c99", "-pedantic", "-Wmissing-prototypes", "-o", "caller"];
+    compiled(&folder, "cc", &flags)?;
     let mut caller = Command::new(folder.join("caller"));
     let mut caller =
         caller.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("it starts");
-    let bytes: Vec<u8> =
-        machines.iter().flatten().flat_map(|number| number.to_ne_bytes()).collect();
+    let bytes: Vec<u8> = given.iter().flat_map(|number| number.to_ne_bytes()).collect();
     let mut input = caller.stdin.take().expect("there is one");
     let writer = std::thread::spawn(move || input.write_all(&bytes));
     let output = caller.wait_with_output().expect("it ends");
     writer.join().expect("no panic").expect("it reads all");
-    let numbers: Vec<f64> = output
-        .stdout
-        .chunks_exact(8)
-        .map(|chunk| f64::from_ne_bytes(chunk.try_into().expect("eight bytes")))
-        .collect();
+    let chunks = output.stdout.chunks_exact(8);
+    let numbers = chunks.map(|chunk| f64::from_ne_bytes(chunk.try_into().expect("eight bytes")));
+    Some(numbers.collect())
+}
+
+#[test]
+fn lists_in_c_are_those_of_rust() {
+    let machines = machines();
+    let Some(numbers) = told("beside_rust", TRIAD, &machines.concat()) else { return };
     let mut told = Told(numbers.iter());
     let (mut compared, mut refused) = (Compared::default(), Vec::new());
     for given in &machines {
@@ -198,6 +198,26 @@ fn lists_in_c_are_those_of_rust() {
     assert!(compared.assemblies > 2 * count(), "{compared:?}");
     let [not_finite, no_length] = [4.0, 3.0];
     assert_eq!(refused, [not_finite, not_finite, no_length, no_length]);
+}
+
+/// A group of two dyads, whose sides are told apart.
+#[test]
+fn lists_of_two_dyads_in_c_are_those_of_rust() {
+    // Exact in single precision.
+    let inputs: Vec<f64> = (0..count() / 8).map(|at| f64::from(at as f32 * 0.125)).collect();
+    let Some(numbers) = told("two_dyads", SEVEN, &inputs) else { return };
+    let (mut told, mut compared) = (Told(numbers.iter()), Compared::default());
+    let (wide, narrow) = (Seven::new(), Seven::<f32>::default());
+    for t in inputs {
+        assert_eq!(told.number(), 0.0);
+        let list = wide.assemblies(t, Budget::default()).expect("nothing is refused");
+        compared.list(&mut told, &list, |_, _, _| {});
+        assert_eq!(told.number(), 0.0);
+        let list = narrow.assemblies(t as f32, Budget::default()).expect("nothing is refused");
+        compared.list(&mut told, &list, |_, _, _| {});
+    }
+    assert!(told.0.next().is_none());
+    assert!(compared.otherwise == 0 && compared.assemblies > compared.proved, "{compared:?}");
 }
 
 /// Both widths of a machine.
@@ -266,12 +286,12 @@ fn machine_in_f32(given: &[f64; 11]) -> Triad<f32> {
 /// Printed lists are C and C++, with a prefix, and without either width.
 #[test]
 fn lists_are_c_and_cpp_without_a_width_and_with_a_prefix() {
-    let folder = folder("strict");
+    let folder = folder("strict", TRIAD[0]);
     printed(&folder, &["--prefix", "acme", "--only", "position"]);
     let names: Vec<_> = fs::read_dir(&folder).expect("it is there").flatten().collect();
     assert!(names.iter().all(|file| {
         let name = file.file_name();
-        name == "triad.rs" || name.to_string_lossy().starts_with("acme_")
+        name == "machine.rs" || name.to_string_lossy().starts_with("acme_")
     }));
     let c = ["-std=c99", "-pedantic", "-c"];
     for more in [&[][..], &["-DLINKAGE_NO_DOUBLE"], &["-DLINKAGE_NO_SINGLE"]] {
@@ -285,7 +305,7 @@ fn lists_are_c_and_cpp_without_a_width_and_with_a_prefix() {
 /// A null pointer, a spent budget and a value between others are told as in Rust.
 #[test]
 fn a_list_without_an_answer_says_why() {
-    let folder = folder("refusals");
+    let folder = folder("refusals", TRIAD[0]);
     printed(&folder, &["--only", "position,f64"]);
     let caller = r#"
 #include "triad_assemblies.h"

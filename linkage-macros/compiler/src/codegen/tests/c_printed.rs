@@ -58,10 +58,15 @@ pub(super) fn print_every(nth: usize, root: &Path) -> Vec<String> {
         assert_eq!(set_aside_and_read(&files[1].text), [""; 0], "{}", declaration.name);
         sources.push(format!("{nth}/{}", files[1].name));
         // Parts of the run-time are the same text wherever they are printed.
-        for part in files[4..].iter().filter(|part| !root.join(&part.name).exists()) {
-            std::fs::write(root.join(&part.name), &part.text).expect("it can be written");
+        for part in &files[4..] {
+            let is_run_time = part.name.starts_with("linkage_");
+            let path = if is_run_time { part.name.clone() } else { format!("{nth}/{}", part.name) };
+            if is_run_time && root.join(&path).exists() {
+                continue;
+            }
+            std::fs::write(root.join(&path), &part.text).expect("it can be written");
             std::fs::write(root.join("linkage_run.h"), &files[2].text).expect("it can be written");
-            sources.push(part.name.clone());
+            sources.extend(path.ends_with(".c").then_some(path));
         }
     }
     assert!(refused.is_empty(), "{refused:?}");

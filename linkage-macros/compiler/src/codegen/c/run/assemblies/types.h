@@ -2,6 +2,8 @@
 #ifndef LINKAGE_ASSEMBLY_TYPES
 #define LINKAGE_ASSEMBLY_TYPES
 
+#include <stdint.h>
+
 /* The part of a list that is proved: all of it; or some assemblies may be missing, the first between `from` and `to`; or
  * the budget was spent before all of the circle was looked at. */
 #define LINKAGE_PROVED 0
