@@ -130,7 +130,8 @@ def main():
         proved, counts = sum(row[2] == 0 for row in rows), sorted(row[4] for row in rows)
         print(f"{len(rows)} plates on three bars, {proved} lists proved, {sum(row[3] for row in rows)} assemblies, "
               f"{statistics.median(counts):.0f} samples in the median and {counts[-1]} at most")
-        print(f"{statistics.median(taken):.3g} instructions in the median, {taken[-1]:.3g} at most, {stack} bytes of stack")
+        median, most = statistics.median(taken) / 1e6, taken[-1] / 1e6
+        print(f"{median:.1f} million instructions in the median, {most:.1f} at most, {stack} bytes of stack")
         if len(rows) != 60 or stack > MOST_STACK or statistics.median(taken) > MOST:
             raise SystemExit(f"not 60 lists, or more than {MOST_STACK} bytes, or {MOST} instructions")
 

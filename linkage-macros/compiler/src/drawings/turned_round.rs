@@ -102,3 +102,17 @@ fn a_coupling_too_many_is_one_too_many() {
     let told = told.err().expect("it is too much");
     assert!(told[0].contains("fight"), "{told:?}");
 }
+
+/// A drive that contradicts the drawing is told as it is written, and the link that it moves by its name.
+#[test]
+fn a_coupling_that_contradicts_the_drawing_is_told_as_it_is_written() {
+    let told = machine(
+        "pub struct M { input q: angle; ground A(0, 0), D(0.4, 0), E(0.2, 0.5);
+         pin B(0.1, 0.1), C(0.35, 0.3), F(0.25, 0.2);
+         link gear(D, C), BC(B, C), crank(A, B), pinion(E, F);
+         drive crank.angle = q; drive gear.angle = pinion.angle - 1rad; }",
+    );
+    let told = told.err().expect("they are half a turn apart");
+    let wanted = "`pinion` by `drive gear.angle` contradicts the drawing: it is 156.8° where the others are as drawn, and drawn as -80.5°";
+    assert!(told.len() == 1 && told[0].starts_with(wanted), "{told:?}");
+}

@@ -102,7 +102,7 @@ impl Parser<'_> {
                     span: first.span().into(),
                 };
                 self.next += 3;
-                Some(Ok(DriveStatement { link, member, to: None, value }))
+                Some(Ok(DriveStatement { link, member, to: None, value, written: None }))
             }
             _ => {
                 let member = if self.slides(&first) { "slide" } else { "angle" };

@@ -126,7 +126,7 @@ impl Parser<'_> {
             return self.expected_because("`=`", DRIVE);
         }
         let value = self.expression()?;
-        Ok(StatementKind::Drive(DriveStatement { link, member, to, value }))
+        Ok(StatementKind::Drive(DriveStatement { link, member, to, value, written: None }))
     }
 
     /// `AB.angle`

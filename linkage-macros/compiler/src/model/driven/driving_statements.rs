@@ -66,6 +66,7 @@ impl<'t> DrivingStatements<'t> {
                     member,
                     to,
                     value,
+                    written: None,
                 }));
             }
             Moves::Length(own @ [link, member]) => {
@@ -74,7 +75,7 @@ impl<'t> DrivingStatements<'t> {
                 if !declared.any(|declared| is_link(&declared)) {
                     // The model has a message for a link that is not there.
                     let (link, member) = (link.clone(), Ident::new("angle", member.span()));
-                    let drive = DriveStatement { link, member, to: None, value };
+                    let drive = DriveStatement { link, member, to: None, value, written: None };
                     self.statements.push(StatementKind::Drive(drive));
                     return;
                 }
@@ -165,6 +166,7 @@ impl<'t> DrivingStatements<'t> {
             member: Ident::new("slide", span),
             to: None,
             value: coordinate.value.clone(),
+            written: None,
         };
         let origin = GuideAnchor::At([number("0", &[]), number("0", &[])]);
         self.statements.extend([

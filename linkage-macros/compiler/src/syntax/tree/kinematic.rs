@@ -156,6 +156,8 @@ pub(crate) struct DriveStatement {
     /// The link that the first one is driven against and its member; the ground where there is none.
     pub to: Option<(Ident, Ident)>,
     pub value: Expr,
+    /// The link and its member that the statement drives, where it is read the other way round.
+    pub written: Option<(Ident, Ident)>,
 }
 
 /// `solve theta { ram.slide = x, mode: falling, near: seed }`.

@@ -56,7 +56,11 @@ impl DrawnEquation<'_> {
     fn told(&self, bodies: &Bodies<'_>) -> String {
         let of = bodies.name(self.body);
         match self.given {
-            Given::Drive(drive) => format!("`drive {}`", drive_as_written(bodies.drives[drive].1)),
+            Given::Drive(drive) => {
+                let drive = bodies.drives[drive].1;
+                let own = format!("`drive {}`", drive_as_written(drive));
+                if drive.written.is_some() { format!("{of} by {own}") } else { own }
+            }
             Given::Length => format!("the length of {of}"),
             Given::Place => format!("the place of {of}"),
             Given::Driver => format!("what drives {of}"),

@@ -117,7 +117,9 @@ fn set_drives_too_much(
 
 /// The left side of a drive.
 pub(in crate::model::drawn) fn drive_as_written(drive: &DriveStatement) -> String {
-    let own = format!("{}.{}", drive.link, drive.member);
+    let (link, member) =
+        drive.written.as_ref().map_or((&drive.link, &drive.member), |(link, of)| (link, of));
+    let own = format!("{link}.{member}");
     match &drive.to {
         Some((to, member)) => format!("{own} - {to}.{member}"),
         None => own,

@@ -91,13 +91,15 @@ fn inverted(tree: &Declaration, drive: &DriveStatement) -> Option<DriveStatement
         None => driven(tree, drive).unwrap_or_else(|| member(&drive.link, &drive.member)),
     };
     let is_divided = is_scaled(&drive.value) && reads(&given, &["angle"]) > 0;
-    if is_divided { None } else { solved(&drive.value, given) }
+    let turned = if is_divided { None } else { solved(&drive.value, given) };
+    let written = Some((drive.link.clone(), drive.member.clone()));
+    turned.map(|turned| DriveStatement { written, ..turned })
 }
 
 /// The value that another statement gives what a statement drives.
 fn driven(tree: &Declaration, drive: &DriveStatement) -> Option<Expr> {
     tree.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::Drive(DriveStatement { link, member, to: None, value })
+        StatementKind::Drive(DriveStatement { link, member, to: None, value, .. })
             if *link == drive.link
                 && *member == drive.member
                 && value.span.bytes() != drive.value.span.bytes() =>
@@ -135,7 +137,7 @@ fn solved(expr: &Expr, given: Expr) -> Option<DriveStatement> {
     match &expr.kind {
         ExprKind::Member(link, member) if member == "angle" || member == "slide" => {
             let (link, member) = (link.clone(), member.clone());
-            Some(DriveStatement { link, member, to: None, value: given })
+            Some(DriveStatement { link, member, to: None, value: given, written: None })
         }
         ExprKind::Negate(inner) => solved(inner, given.negated()),
         ExprKind::Chain(first, rest) => {
