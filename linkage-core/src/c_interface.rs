@@ -38,6 +38,7 @@ const OFF_CIRCLE: i32 = 7;
 const NO_SOLUTION: i32 = 8;
 const SEVERAL_DEAD_POINTS: i32 = 9;
 const JAMS: i32 = 10;
+const NOT_CERTIFIED: i32 = 12;
 
 impl CError {
     /// Nothing is wrong: what the errors begin with.
@@ -83,6 +84,7 @@ impl From<SolveError> for CError {
                 Self::NONE.because_of(SEVERAL_DEAD_POINTS, unknown)
             }
             SolveError::Jams { joint } => Self::NONE.because_of(JAMS, joint),
+            SolveError::NotCertified { group } => Self::NONE.in_group(NOT_CERTIFIED, group),
             SolveError::OffCircle { name, .. } => Self::NONE.because_of(OFF_CIRCLE, name),
         }
     }
@@ -143,6 +145,7 @@ mod tests {
         let several = SolveError::SeveralDeadPoints { unknown: "theta" };
         assert_eq!(parts(several), (SEVERAL_DEAD_POINTS, 0.0, 0, 5));
         assert_eq!(parts(SolveError::Jams { joint: "ram" }), (JAMS, 0.0, 0, 3));
+        assert_eq!(parts(SolveError::NotCertified { group }), (NOT_CERTIFIED, 0.0, 6, 0));
         assert_eq!(parts(CError::null_pointer("error")), (NULL_POINTER, 0.0, 0, 5));
         assert_eq!(parts(CError::NONE), (0, 0.0, 0, 0));
     }

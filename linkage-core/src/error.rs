@@ -68,6 +68,12 @@ pub enum SolveError {
         /// The joint: the link on a guide, or the link and the point of a pin, `BC.C`.
         joint: &'static str,
     },
+    /// A group that is solved by all its unknowns at once is not followed here: beyond the stretch on which it was
+    /// followed from the drawing, or so near a dead point that no certificate says which root Newton's method finds.
+    NotCertified {
+        /// The links of the group.
+        group: &'static str,
+    },
     /// A result is not a finite number.
     NotFinite {
         /// The input or parameter to blame, or what left the number's range.
@@ -108,6 +114,9 @@ impl fmt::Display for SolveError {
             Self::Invalid { group, name } => {
                 write!(f, "{group}: `{name}` must be greater than zero")
             }
+            Self::NotCertified { group } => {
+                write!(f, "{group}: not certified here, beyond the stretch that was followed")
+            }
             Self::Jams { joint } => write!(f, "{joint}: friction may hold itself here"),
             Self::OffCircle { name, amplitude } => {
                 let amplitude = Digits(amplitude);
@@ -144,6 +153,7 @@ impl SolveError {
         match self {
             Self::OutOfReach { group, .. }
             | Self::Singular { group }
+            | Self::NotCertified { group }
             | Self::Invalid { group, .. }
             | Self::NoSolution { unknown: group, .. }
             | Self::SeveralDeadPoints { unknown: group }

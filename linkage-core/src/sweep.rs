@@ -58,6 +58,8 @@ pub enum Status {
     SeveralDeadPoints,
     /// See [`SolveError::Jams`].
     Jams,
+    /// See [`SolveError::NotCertified`].
+    NotCertified,
 }
 
 /// One input of a sweep: a number for each pose, or one number for all of them.
@@ -210,6 +212,7 @@ impl From<SolveError> for Status {
             SolveError::NoSolution { .. } => Self::NoSolution,
             SolveError::SeveralDeadPoints { .. } => Self::SeveralDeadPoints,
             SolveError::Jams { .. } => Self::Jams,
+            SolveError::NotCertified { .. } => Self::NotCertified,
         }
     }
 }

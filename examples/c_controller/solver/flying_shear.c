@@ -5,7 +5,7 @@
 #include "flying_shear.h"
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0xd8d294a9u
+#if LINKAGE_RUN_TIME != 0x5eb9ddb6u
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 

@@ -2,7 +2,7 @@
  * without rounding, and reasons. linkage_run.h says whose text this is. */
 #include "linkage_run.h"
 
-#if LINKAGE_RUN_TIME != 0xd8d294a9u
+#if LINKAGE_RUN_TIME != 0x5eb9ddb6u
 #error "linkage_run.h was printed by another version than this file: print both anew, or one supplier's with a prefix"
 #endif
 
@@ -333,6 +333,16 @@ LinkageWide linkage_moving(LinkageWhy *why, LinkageWide value, LinkageWide sprea
     return refuse(why, LINKAGE_SINGULAR, name, NULL, 0, value);
 }
 
+LinkageWide linkage_certified(LinkageWhy *why, LinkageWide value, const char *group)
+{
+    if (why->status != LINKAGE_OK || value > 0) {
+        return value;
+    }
+    if (value != value) {
+        return refuse(why, LINKAGE_NOT_FINITE, NULL, group, 0, value);
+    }
+    return refuse(why, LINKAGE_NOT_CERTIFIED, group, NULL, 0, value);
+}
 #ifndef LINKAGE_NO_DOUBLE
 
 /* Numbers without rounding. */
@@ -1194,6 +1204,7 @@ const char *linkage_status_text(LinkageStatus status)
     case LINKAGE_NO_SOLUTION: return "no solution of the mode between the ends of the unknown";
     case LINKAGE_SEVERAL_DEAD_POINTS: return "several dead points between the ends of the unknown: narrow the interval";
     case LINKAGE_JAMS: return "jams: friction may hold itself at the joint";
+    case LINKAGE_NOT_CERTIFIED: return "not certified: the group was not followed so far from the drawing";
     case LINKAGE_OTHER_ASSEMBLY: return "other assembly: the group has another side than for the other set of inputs";
     default: return "no status of linkage";
     }

@@ -10,7 +10,7 @@
 #define LINKAGE_RUN_H
 
 /* A hash of the whole run-time: sources that were printed with another one do not compile with it. */
-#define LINKAGE_RUN_TIME 0xd8d294a9u
+#define LINKAGE_RUN_TIME 0x5eb9ddb6u
 
 #include <float.h>
 #include <math.h>
@@ -210,6 +210,7 @@ typedef struct LinkageSlidingAccelerationF32 {
 #define LINKAGE_SEVERAL_DEAD_POINTS 9
 #define LINKAGE_JAMS 10
 #define LINKAGE_OTHER_ASSEMBLY 11
+#define LINKAGE_NOT_CERTIFIED 12
 
 #ifndef LINKAGE_WORDS
 #define LINKAGE_WORDS
@@ -929,6 +930,7 @@ LinkageWide linkage_positive(LinkageWhy *why, LinkageWide value, const char *gro
 LinkageWide linkage_not_negative(LinkageWhy *why, LinkageWide value, const char *group, const char *name);
 LinkageWide linkage_square(LinkageWhy *why, LinkageWide value, const char *group);
 LinkageWide linkage_moving(LinkageWhy *why, LinkageWide value, LinkageWide spread, const char *name);
+LinkageWide linkage_certified(LinkageWhy *why, LinkageWide value, const char *group);
 LinkageWide linkage_closed(LinkageWhy *why, LinkageWide difference, LinkageWide size, const char *unknown);
 LinkageWide linkage_reach_circles(LinkageWhy *why, LinkageWide value, LinkageWide dx, LinkageWide dy, LinkageWide l1, LinkageWide l2, LinkageWide unit, LinkageWide spread, const char *group);
 LinkageWide linkage_share_of_centres(LinkageWhy *why, LinkageWide value, LinkageWide height, LinkageWide dx, LinkageWide dy, LinkageWide l1, LinkageWide l2, LinkageWide spread, const char *group);

@@ -80,3 +80,25 @@ impl<T: Scalar> Diagnosis<T> for Moving<T> {
         }
     }
 }
+
+/// The start of Newton's method is below the limit of its certificate: the value is by how much. The name is the group's.
+///
+/// # Errors
+/// `NotCertified` where it is not; `NotFinite` where it is not a number.
+#[derive(Clone, Copy, Debug)]
+pub struct Certified(pub &'static str);
+
+impl<T: Scalar> Diagnosis<T> for Certified {
+    #[cold]
+    fn diagnose(self, value: T) -> Result<T, SolveError>
+    where
+        T: Real,
+    {
+        let Self(group) = self;
+        match value.value() {
+            real if real.is_nan() => Err(SolveError::NotFinite { name: group }),
+            real if real > 0.0 => Ok(value),
+            _ => Err(SolveError::NotCertified { group }),
+        }
+    }
+}

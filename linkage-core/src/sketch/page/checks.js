@@ -1,7 +1,9 @@
 // The conditions that formulas are under, as the Rust crate's slow path decides them.
 
 /// Words for the reasons that some machines alone know, by their kinds.
-const REASONS = {};
+const REASONS = {
+  NotCertified: ({ group }) => `${group}: not certified here, beyond the stretch that was followed`,
+};
 
 /// The part of an equation's size by which its sides may differ, and the name of ends that are in order.
 const OPEN = 2 ** -20, ENDS = "ends of between";
@@ -163,6 +165,13 @@ class FirstError {
   Moving(value, spread, group) {
     if (Number.isNaN(value)) this.refuse("NotFinite", group);
     else if (!(value > ROUNDINGS * EPSILON * spread)) this.refuse("Singular", group);
+    return value;
+  }
+
+  /// How far the start of Newton's method is below the limit of its certificate.
+  Certified(value, group) {
+    if (Number.isNaN(value)) this.refuse("NotFinite", group);
+    else if (!(value > 0)) this.refuse("NotCertified", group);
     return value;
   }
 

@@ -1,7 +1,8 @@
 //! Drivers and dyads among bodies that depend on each other.
 
 use super::assembly_list::{Assemblies, OtherAssembly};
-use super::fit::Following;
+use super::fit::{Following, Piece};
+pub(crate) use super::known_parts::{Closing, Placed};
 use super::machine::{Driven, Held, Machine};
 
 /// The step that places bodies once all before it are placed.
@@ -22,6 +23,8 @@ pub(crate) enum Found {
     },
     Dyad(Dyad),
     Search(Box<SearchedGroup>),
+    /// A group that is solved by all its angles and slides at once.
+    Tracked(Box<TrackedGroup>),
 }
 
 /// A group that is solved by one unknown.
@@ -47,6 +50,37 @@ pub(crate) struct SearchedGroup {
     pub assemblies: Option<Assemblies>,
 }
 
+/// A group that is solved by all its unknowns at once.
+#[derive(Clone, Debug)]
+pub(crate) struct TrackedGroup {
+    /// Drivers, one a body. Those without a drive have an unknown each, in this order.
+    pub steps: Vec<Found>,
+    pub closings: Vec<Closing>,
+    /// The unknowns over the first drive, from the drawing, in the order of its values.
+    pub pieces: Vec<Piece>,
+    /// The size that slides are measured by.
+    pub size: f64,
+    /// True if the drive turns fully.
+    pub closes: bool,
+}
+
+impl TrackedGroup {
+    /// The bodies of the group.
+    pub(crate) fn bodies(&self) -> Vec<usize> {
+        self.steps.iter().flat_map(Found::bodies).collect()
+    }
+
+    /// The steps that have an unknown.
+    pub(crate) fn unknowns(&self) -> impl Iterator<Item = &Found> {
+        self.steps.iter().filter(|step| is_unknown(step))
+    }
+}
+
+/// True if the step has an unknown.
+pub(super) fn is_unknown(step: &Found) -> bool {
+    matches!(step, Found::Crank { drive: None, .. } | Found::Slider { drive: None, .. })
+}
+
 impl Found {
     /// The bodies that it places.
     pub(crate) fn bodies(&self) -> Vec<usize> {
@@ -57,6 +91,7 @@ impl Found {
                 legs.chain(dyad.carried_bodies()).collect()
             }
             Self::Search(search) => search.bodies(),
+            Self::Tracked(tracked) => tracked.bodies(),
         }
     }
 }
@@ -75,7 +110,7 @@ impl SearchedGroup {
     pub(super) fn is_the_way_of(&self, other: &Self) -> bool {
         let driven = |search: &Self| match search.steps[0] {
             Found::Crank { body, reference, pivot, .. } => Some((body, reference, pivot)),
-            Found::Slider { .. } | Found::Dyad(_) | Found::Search(_) => None,
+            _ => None,
         };
         self.left_out == other.left_out && driven(self) == driven(other)
     }
@@ -157,45 +192,6 @@ impl Dyad {
             self.legs.reverse();
         }
         self
-    }
-}
-
-/// The bodies and pins that are placed.
-#[derive(Clone)]
-pub(crate) struct Placed {
-    bodies: Vec<bool>,
-    pins: Vec<bool>,
-}
-
-impl Placed {
-    /// The ground and what is given, as if all of it were there: the groups come in an order in which it
-    /// is.
-    pub(crate) fn at_first(machine: &Machine) -> Self {
-        let mut known = Self {
-            bodies: vec![false; machine.bodies.len()],
-            pins: vec![false; machine.pins.len()],
-        };
-        // The ground is one of them.
-        for body in (0..machine.bodies.len()).filter(|&body| machine.is_given(body)) {
-            known.bodies[body] = true;
-            machine.bodies[body].made().for_each(|pin| known.pins[pin] = true);
-        }
-        known
-    }
-
-    pub(crate) fn add(&mut self, machine: &Machine, bodies: &[usize]) {
-        for &body in bodies {
-            self.bodies[body] = true;
-            machine.bodies[body].pins.iter().for_each(|&pin| self.pins[pin] = true);
-        }
-    }
-
-    pub(crate) fn body(&self, body: usize) -> bool {
-        self.bodies[body]
-    }
-
-    pub(crate) fn pin(&self, pin: usize) -> bool {
-        self.pins[pin]
     }
 }
 

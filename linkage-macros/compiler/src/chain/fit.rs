@@ -44,6 +44,14 @@ pub(crate) enum Terms {
     Sliding { reach: f64, powers: Vec<f64> },
 }
 
+/// The unknowns on a stretch of the first drive, from the drawing: polynomials of the place between the ends, from −1 to 1.
+#[derive(Clone, Debug)]
+pub(crate) struct Piece {
+    pub ends: [f64; 2],
+    /// By unknown, in radians and metres.
+    pub powers: Vec<Vec<f64>>,
+}
+
 impl Following {
     pub(super) fn at(&self, drive: f64) -> f64 {
         let x = drive - self.middle;
@@ -70,6 +78,17 @@ impl Following {
             *term = format!("{term:.digits$}").parse().unwrap_or(*term);
         }
         self
+    }
+}
+
+impl Piece {
+    pub(super) fn at(&self, drive: f64) -> impl Iterator<Item = f64> + '_ {
+        let [from, to] = self.ends;
+        let place = (2.0 * drive - from - to) / (to - from);
+        let value = move |powers: &Vec<f64>| {
+            powers.iter().rev().fold(0.0, |sum, power| sum * place + power)
+        };
+        self.powers.iter().map(value)
     }
 }
 

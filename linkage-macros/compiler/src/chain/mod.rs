@@ -6,7 +6,7 @@
 //! hold each other's constraints in a circle are one group. [`cutting`] makes drivers and dyads of
 //! them, [`carried`] dyads with links of given angle between their bars. A group of class III is solved by one unknown: [`options`] lists what can be left out and what
 //! be driven, [`trace`] follows the machine, [`following`] fits intervals to it, bent where [`near_dead`] finds dead points
-//! beside it, and [`choice`] chooses. [`assemblies`] lists all ways to assemble such a group where it is
+//! beside it, and [`choice`] chooses. One that no single unknown solves is [`tracked`] by all its angles at once. [`assemblies`] lists all ways to assemble such a group where it is
 //! drawn. [`pose`]
 //! computes poses, [`redrawn`] one with other lengths, and [`limits`] says how far each group is from its limit.
 //!
@@ -23,6 +23,7 @@ mod curve;
 pub(crate) mod cutting;
 pub(crate) mod fit;
 mod following;
+mod known_parts;
 pub(crate) mod limits;
 pub(crate) mod machine;
 mod near_dead;
@@ -31,6 +32,7 @@ pub(crate) mod plane;
 pub(crate) mod pose;
 pub(crate) mod redrawn;
 mod trace;
+pub(crate) mod tracked;
 
 #[cfg(test)]
 mod tests;
@@ -39,6 +41,7 @@ use assembly_list::OtherAssembly;
 use choice::Unchosen;
 use cutting::{Found, SearchedGroup};
 use machine::Machine;
+use tracked::Untracked;
 
 /// The reasons why a machine cannot be divided into groups. Bodies and drives by their indices.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +58,8 @@ pub(crate) enum Trouble {
     Loose { bodies: Vec<usize>, freedoms: usize },
     /// The bodies are one group, which is no driver and no dyad, and which no unknown solves.
     Undecided { bodies: Vec<usize> },
+    /// The bodies are one group that all its unknowns solve at once, and something has mass or acts.
+    Loaded { bodies: Vec<usize> },
     /// The bodies are one group, and two ways to assemble it come together where it is drawn.
     AtDeadPoint { bodies: Vec<usize> },
     /// The bodies are one group, of which every way to solve it has a dyad at its limit where it is drawn: of
@@ -78,8 +83,16 @@ pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
             Some(found) => steps.extend(found),
             None => {
                 let options = options::options(machine, &known, &group);
-                if options.is_empty() {
+                let follows_no_fit = |step: &Found| !matches!(step, Found::Tracked(_));
+                if !steps.iter().all(follows_no_fit) {
                     return Err(vec![Trouble::Undecided { bodies: group }]);
+                }
+                if options.is_empty() {
+                    let found = tracked::tracked(machine, &steps, &known, &group);
+                    let found = found.map_err(|cause| vec![untracked(cause, &group)])?;
+                    steps.push(Found::Tracked(Box::new(found)));
+                    known.add(machine, &group);
+                    continue;
                 }
                 let search = alone(machine, &steps, &group, options);
                 steps.push(Found::Search(Box::new(search.map_err(|trouble| vec![trouble])?)));
@@ -113,6 +126,15 @@ fn alone(
         };
         first_other.get_or_insert(other);
         options.retain(|option| !option.is_the_way_of(&search));
+    }
+}
+
+fn untracked(cause: Untracked, bodies: &[usize]) -> Trouble {
+    let bodies = bodies.to_vec();
+    match cause {
+        Untracked::Other => Trouble::Undecided { bodies },
+        Untracked::Loaded => Trouble::Loaded { bodies },
+        Untracked::DeadPoint => Trouble::AtDeadPoint { bodies },
     }
 }
 

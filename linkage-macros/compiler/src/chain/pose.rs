@@ -44,6 +44,11 @@ impl<'m> Posed<'m> {
         Self { machine, of }
     }
 
+    /// A body seen from the drawing, where it is placed.
+    pub(super) fn displaced(&self, body: usize) -> Option<Displaced> {
+        self.of[body]
+    }
+
     fn pin(&self, pin: usize, given: &PoseChanges) -> Option<Complex> {
         let mut bodies = self.of.iter().zip(&self.machine.bodies).enumerate();
         let (body, displaced) = bodies.find_map(|(body, (known, drawn))| {
@@ -93,6 +98,8 @@ impl<'m> Posed<'m> {
                     self.of[*body] = Some(Displaced { shift: other.shift + way, turn: other.turn });
                 }
                 Found::Dyad(dyad) => self.dyad(dyad, given)?,
+                // It stands last, since nothing is followed behind it.
+                Found::Tracked(_) => return None,
                 Found::Search(search) => {
                     let start = given.unknowns.get(searches).copied().unwrap_or(0.0);
                     let root = self.solve(search, given, start)?;

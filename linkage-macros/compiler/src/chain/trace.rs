@@ -7,6 +7,8 @@ use super::pose::{PoseChanges, Posed};
 
 /// The most poses each way at full steps.
 const POSES: usize = 60;
+/// The parts of half a turn, or of the machine's size, that steps are at most.
+pub(super) const PARTS: usize = POSES;
 /// The least count of poses that show the shape of a motion; shorter ones are followed once more in
 /// smaller steps.
 const FEWEST: usize = 40;
@@ -69,7 +71,7 @@ pub(super) struct Way {
     motion: InputRates,
     pub step: f64,
     /// True if it is one of an angle that turns the machine on by itself.
-    turns: bool,
+    pub turns: bool,
 }
 
 impl Way {

@@ -3,6 +3,7 @@
 use crate::codegen::docs::found_groups;
 use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
+use crate::ir::graph::{Check, Node};
 use crate::ir::interpret::{Number, ProgramValues, interpret};
 use crate::ir::program::Program;
 use crate::model::mechanism::{LinkId, Mechanism, OutputKind, Step};
@@ -56,8 +57,8 @@ impl Machine {
         &self.program
     }
 
-    /// The pins by name, at these inputs. The machine has no parameters.
-    pub(super) fn pins<N: Number>(&self, inputs: &[f64]) -> Vec<(String, [N; 2])> {
+    /// The values of all nodes at these inputs. The machine has no parameters.
+    fn values<N: Number>(&self, inputs: &[f64]) -> Vec<N> {
         let float = |value: f64| N::exact(&Exact::float(value).expect("finite"));
         let given = ProgramValues {
             inputs: inputs.iter().map(|&value| [value, 0.0, 0.0].map(float)).collect(),
@@ -66,7 +67,24 @@ impl Machine {
             drives: Vec::new(),
             unit: None,
         };
-        let values = interpret(&self.program, &given);
+        interpret(&self.program, &given)
+    }
+
+    /// True if every certificate of Newton's method holds there.
+    pub(super) fn is_certified(&self, inputs: &[f64]) -> bool {
+        let values = self.values::<f64>(inputs);
+        let graph = &self.program.graph;
+        graph.nodes().iter().all(|node| match *node {
+            Node::Guard(under, guard) if graph.condition(guard).check == Check::Certified => {
+                values[under.index()] > 0.0
+            }
+            _ => true,
+        })
+    }
+
+    /// The pins by name, at these inputs. The machine has no parameters.
+    pub(super) fn pins<N: Number>(&self, inputs: &[f64]) -> Vec<(String, [N; 2])> {
+        let values = self.values::<N>(inputs);
         let entry = self.program.answer("position").expect("the entry exists");
         let all: Vec<_> = entry.sinks.iter().map(|sink| values[sink.index()].clone()).collect();
         let (mut row, mut pins) = (0, Vec::new());

@@ -110,7 +110,11 @@ impl<'s> Kinematics<'s> {
 
     /// The derivative of a number by the only input, in the state in which it is made of no rates.
     fn slope(&self, of: Sym<'s>) -> Sym<'s> {
-        let roots = self.unknowns.iter().map(|unknown| (unknown.value.id, unknown.rate));
+        let roots = self
+            .unknowns
+            .iter()
+            .chain(self.tracked.iter().flatten())
+            .map(|unknown| (unknown.value.id, unknown.rate));
         let mut known: HashMap<Id, Sym<'s>> = roots.collect();
         for (id, node) in nodes_beneath(of) {
             if !known.contains_key(&id) {

@@ -7,11 +7,14 @@
 //! its rates while the inputs move along a straight line, and given with a scale: a small change of all
 //! lengths by a share δ of themselves changes the value by at most 4 δ of it.
 
+use crate::equations::certified_steps;
 use crate::equations::dead_points;
 use crate::equations::groups::formulas;
+use crate::equations::jet::Jet;
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::parts::ClearanceTerms;
 use crate::equations::symbol::GraphBuilder;
+use crate::exact::Exact;
 use crate::ir::program;
 use crate::model::mechanism::{Mechanism, Mode, Step, UnknownId};
 
@@ -20,6 +23,7 @@ use crate::model::mechanism::{Mechanism, Mode, Step, UnknownId};
 pub(super) fn of_pose(kinematics: &Kinematics<'_>) -> Vec<program::Clearance> {
     let steps = kinematics.mechanism.steps.iter();
     let of_groups = steps.filter_map(|step| of_step(kinematics, step));
+    let of_groups = of_groups.chain(of_tracked(kinematics));
     of_groups.map(|clearance| program::Clearance { rates: None, ..clearance }).collect()
 }
 
@@ -44,7 +48,27 @@ pub(super) fn beside_unknowns<'s>(
         }
         clearances.extend(of_step(&kinematics, step));
     }
+    clearances.extend(of_tracked(&kinematics));
     clearances
+}
+
+/// Groups that are solved by all their unknowns at once end with the stretch on which they are followed.
+fn of_tracked(kinematics: &Kinematics<'_>) -> Vec<program::Clearance> {
+    let builder = kinematics.builder;
+    let found = kinematics.mechanism.tracked.iter().filter_map(|tracked| {
+        let Jet { value, rate, accel } = certified_steps::inside(kinematics, tracked)?;
+        let [from, to] = tracked.stretch();
+        // The value is at most one, or the square of half the stretch.
+        let scale = if tracked.is_turned { 1.0 } else { (to - from).powi(2) };
+        Some(program::Clearance {
+            group: tracked.group.0,
+            param: None,
+            value: value.id,
+            scale: builder.constant(Exact::float(scale).expect("a stretch is finite")).id,
+            rates: Some([rate.id, accel.id]),
+        })
+    });
+    found.collect()
 }
 
 fn of_step<'s>(kinematics: &Kinematics<'s>, step: &'s Step) -> Option<program::Clearance> {

@@ -29,6 +29,7 @@ impl<'s> Kinematics<'s> {
             Scalar::Load(load) => Jet::constant(self.builder.node(Node::Load(load.0))),
             Scalar::Pull => Jet::constant(self.value_of_pull()),
             Scalar::Unknown(unknown) => self.unknowns[unknown.index()],
+            Scalar::Tracked(group, index) => self.tracked[group.index()][*index],
             Scalar::Let(name) => self.lets[name.index()],
             Scalar::Law(law) => self.law(*law),
             Scalar::Slide(by) => self.slide(*by),

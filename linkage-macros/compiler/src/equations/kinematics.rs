@@ -94,6 +94,8 @@ pub(super) struct Kinematics<'s> {
     pub(super) laws: Vec<OnceCell<Jet<'s>>>,
     /// Unknowns that equations fix, as far as they are known.
     pub unknowns: Vec<Jet<'s>>,
+    /// By group that is solved by all its unknowns at once, these, as far as they are known.
+    pub tracked: Vec<Vec<Jet<'s>>>,
     pub closures: Vec<Closure>,
     /// Slopes of left − right of the equations of unknowns.
     pub slopes: Vec<Sym<'s>>,
@@ -133,6 +135,7 @@ impl<'s> Kinematics<'s> {
             lets: Vec::new(),
             laws: vec![OnceCell::new(); mechanism.dynamics.laws.len()],
             unknowns: Vec::new(),
+            tracked: Vec::new(),
             closures: Vec::new(),
             slopes: Vec::new(),
             taken: 0,
@@ -308,6 +311,7 @@ impl<'s> Kinematics<'s> {
             | Scalar::Load(_)
             | Scalar::Pull => true,
             Scalar::Unknown(unknown) => unknown.index() < self.unknowns.len(),
+            Scalar::Tracked(group, _) => group.index() < self.tracked.len(),
             Scalar::Let(name) => name.index() < self.lets.len(),
             Scalar::Slide(link) => self.links[link.index()].is_some(),
             Scalar::Coordinate(point, _) => self.points[point.index()].is_some(),

@@ -23,6 +23,7 @@
 
 pub(crate) mod assembling;
 mod by_input;
+mod certified_steps;
 mod clearance;
 mod crank_pin;
 mod dead_points;

@@ -49,6 +49,7 @@ impl<'s> Kinematics<'s> {
     ) -> Self {
         let mut kinematics = Self::before(builder, mechanism, inputs);
         for index in 0..mechanism.unknowns.len() {
+            kinematics.solve_tracked_until(mechanism.unknowns[index].steps[0]);
             kinematics.take_until(mechanism.unknowns[index].steps[0]);
             meet(&kinematics, UnknownId(index as u32));
             let Root { jet, closure, slope } = solve(&kinematics, UnknownId(index as u32));
@@ -56,6 +57,7 @@ impl<'s> Kinematics<'s> {
             kinematics.closures.push(closure);
             kinematics.slopes.push(slope);
         }
+        kinematics.solve_tracked_until(mechanism.steps.len());
         kinematics.take_until(mechanism.steps.len());
         kinematics.name_lets();
         kinematics
@@ -72,6 +74,7 @@ impl<'s> Kinematics<'s> {
     ) -> Self {
         let (builder, mechanism) = (known.builder, known.mechanism);
         let mut kinematics = Self::before(builder, mechanism, inputs);
+        kinematics.take_over_tracked(known);
         let [first, last] = mechanism.unknowns[id.index()].steps;
         let at_rest = |jet: &Jet<'s>| Jet::constant(jet.value);
         let stands_still = kinematics.inputs.iter().all(|source| source.jet.is_fixed());

@@ -34,6 +34,8 @@ pub(crate) enum Check {
     /// The slope of an equation at its root, in the wanted way, or a pivot of a mass matrix; `Singular`
     /// where rounding could have made it positive. Operand: the spread.
     Moving,
+    /// The start of Newton's method is below the limit of its certificate, by the value; `NotCertified` where it is not.
+    Certified,
     /// A squared length below the smallest of full precision is refused, as `Singular` where it is the
     /// square of zero.
     Square,
@@ -114,6 +116,7 @@ impl Check {
             // An equation that nothing moves is left to run time.
             Self::Closed(_) => row("Closed", None, true, |_| false),
             Self::Moving => row("Moving", above_rounding, true, is_positive),
+            Self::Certified => row("Certified", above_zero, false, is_positive),
             Self::Square => row("Square", full_square, false, is_square),
             Self::SquareOfCentres => row("SquareOfCentres", full_square, true, is_square),
         }

@@ -5,7 +5,8 @@ use crate::function::Function;
 
 use crate::model::effort::Effort;
 use crate::model::ids::{
-    GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, UnknownId,
+    GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, TrackedId,
+    UnknownId,
 };
 
 /// A scalar expression. Lengths in metres, angles in radians.
@@ -20,6 +21,8 @@ pub(crate) enum Scalar {
     Pull,
     /// An unknown, which an equation fixes.
     Unknown(UnknownId),
+    /// One of the unknowns of a group that is solved by all of them at once.
+    Tracked(TrackedId, usize),
     /// The part of a named expression that is not a multiple of link angles.
     Let(LetId),
     /// The same of one that reads rates or loads, in forces, torques and outputs alone.

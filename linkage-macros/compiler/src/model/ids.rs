@@ -31,6 +31,8 @@ ids! {
     GroupId
     /// An index into `Mechanism::unknowns`.
     UnknownId
+    /// An index into `Mechanism::tracked`.
+    TrackedId
     /// An index into `Dynamics::loads`.
     LoadId
     /// An index into `Dynamics::laws`.

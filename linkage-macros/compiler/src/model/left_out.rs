@@ -33,7 +33,7 @@ impl Mechanism {
 
     fn has_an_unknown(&self, expr: &Scalar) -> bool {
         match expr {
-            Scalar::Unknown(_) => true,
+            Scalar::Unknown(_) | Scalar::Tracked(..) => true,
             Scalar::Let(id) => self.has_an_unknown(&self.lets[id.index()].rest),
             Scalar::Negate(value) => self.has_an_unknown(value),
             Scalar::Chain(first, rest) => {

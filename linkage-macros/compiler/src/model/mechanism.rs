@@ -16,11 +16,12 @@ pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Operator, Scalar}
 pub(crate) use crate::model::findings::{Known, Rotatability, Touching};
 pub(crate) use crate::model::ids::{
     GroupId, GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId,
-    UnknownId,
+    TrackedId, UnknownId,
 };
 pub(crate) use crate::model::incidence::{
     Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, Mode, Opposite, Sign, Slideway,
 };
+pub(crate) use crate::model::solved_at_once::{Tracked, TrackedClosing};
 pub(crate) use crate::model::step::{GuideDirection, Placement, Step, Through};
 use crate::syntax::anatomy::Modes;
 
@@ -33,6 +34,8 @@ pub(crate) struct Mechanism {
     pub params: Vec<Param>,
     /// The unknowns that equations fix, in solving order.
     pub unknowns: Vec<Unknown>,
+    /// Groups that are solved by all their unknowns at once, in solving order.
+    pub tracked: Vec<Tracked>,
     /// Named expressions; a later one may use an earlier one.
     pub lets: Vec<AngleSum>,
     pub points: Vec<Point>,
@@ -99,6 +102,7 @@ impl Mechanism {
             inputs: Vec::new(),
             params: Vec::new(),
             unknowns: Vec::new(),
+            tracked: Vec::new(),
             lets: Vec::new(),
             points: Vec::new(),
             links: Vec::new(),

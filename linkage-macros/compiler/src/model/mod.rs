@@ -90,6 +90,7 @@ mod same_expression;
 mod scope;
 mod searched;
 
+pub(crate) mod solved_at_once;
 mod statement_walk;
 mod statements;
 mod step;

@@ -47,6 +47,7 @@ fn growth(number: &Scalar, laws: &[Option<Growth>]) -> Option<Growth> {
         | Scalar::Load(_)
         | Scalar::Pull
         | Scalar::Unknown(_)
+        | Scalar::Tracked(..)
         | Scalar::Let(_)
         | Scalar::Slide(_)
         | Scalar::Coordinate(..)

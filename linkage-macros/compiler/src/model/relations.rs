@@ -139,6 +139,7 @@ impl Mechanism {
             Scalar::Constant(_) | Scalar::Param(_) | Scalar::Load(_) | Scalar::Pull => false,
             Scalar::Input(_)
             | Scalar::Unknown(_)
+            | Scalar::Tracked(..)
             | Scalar::Slide(_)
             | Scalar::Coordinate(..)
             | Scalar::Distance(_)

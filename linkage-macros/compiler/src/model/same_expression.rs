@@ -25,6 +25,7 @@ pub(super) fn is_same(mechanism: &Mechanism, a: &Scalar, b: &Scalar) -> bool {
         (Scalar::Input(a), Scalar::Input(b)) => a == b,
         (Scalar::Param(a), Scalar::Param(b)) => a == b,
         (Scalar::Unknown(a), Scalar::Unknown(b)) => a == b,
+        (Scalar::Tracked(a, i), Scalar::Tracked(b, j)) => (a, i) == (b, j),
         (Scalar::Let(a), Scalar::Let(b)) => a == b,
         (Scalar::Slide(a), Scalar::Slide(b)) => a == b,
         (Scalar::Coordinate(a, x), Scalar::Coordinate(b, y)) => (a, x) == (b, y),

@@ -23,7 +23,9 @@ pub(super) fn pinned(machine: &Machine, search: &SearchedGroup) -> Option<Pinned
             Found::Crank { drive: Some(_), body, reference, .. } => {
                 numbers.of[*body] = numbers.of[*reference];
             }
-            Found::Crank { .. } | Found::Slider { .. } | Found::Search(_) => return None,
+            Found::Crank { .. } | Found::Slider { .. } | Found::Search(_) | Found::Tracked(_) => {
+                return None;
+            }
         }
     }
     let [Pair::Pin(first), Pair::Pin(second)] = search.joints else { return None };

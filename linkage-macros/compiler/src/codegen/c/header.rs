@@ -38,6 +38,13 @@ pub(in crate::codegen) const JAMS: &str = "\
 
 ";
 
+/// The status of mechanisms in which a group is solved by all its unknowns at once.
+pub(in crate::codegen) const NOT_CERTIFIED: &str = "\
+/* The group was not followed so far from the drawing. */
+#define LINKAGE_NOT_CERTIFIED 12
+
+";
+
 /// The whole header, for numbers of these widths, with what a library has beside its functions.
 pub(in crate::codegen) fn text(
     signatures: &Signatures<'_>,
@@ -50,10 +57,11 @@ pub(in crate::codegen) fn text(
     let about = about(mechanism, &solver);
     let no_solution = if mechanism.unknowns.is_empty() { "" } else { NO_SOLUTION };
     let jams = if mechanism.dynamics.frictions.is_empty() { "" } else { JAMS };
+    let certified = if mechanism.tracked.is_empty() { "" } else { NOT_CERTIFIED };
     let mut header = format!(
         "{about}\n#ifndef {guard}_H\n#define {guard}_H\n\n\
          #include <stddef.h>\n#include <stdint.h>\n\n\
-         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{SHARED}\n{no_solution}{jams}\
+         #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{SHARED}\n{no_solution}{jams}{certified}\
          #define {stem}_INPUTS {}\n#define {stem}_OUTPUTS {}\n",
         interface.columns, interface.rows,
     );

@@ -12,7 +12,7 @@ use crate::codegen::docs::powers_of_lengths::DeclaredUnit;
 use crate::model::as_drawn::{SearchFollowed, Stretch};
 use crate::model::mechanism::{
     AngleSum, Assembly, Carrier, Drive, Group, GuideDirection, Joint, LinkId, Mechanism, Mode,
-    ParamKind, Placement, Scalar, Sign, Slideway, Step, Through, Unknown,
+    ParamKind, Placement, Scalar, Sign, Slideway, Step, Through, Tracked, Unknown,
 };
 use crate::model::mechanism::{Dimension, Equation};
 use crate::model::modes::PARALLEL;
@@ -43,6 +43,8 @@ fn lines(mechanism: &Mechanism) -> Vec<String> {
     let statements = statements(mechanism).into_iter();
     lines.extend(statements.map(|statement| format!("         {statement}")));
     lines.extend(["     }", " }", " ```"].map(String::from));
+    lines
+        .extend(mechanism.tracked.iter().flat_map(|group| [String::new(), solved_together(group)]));
     for search in &mechanism.as_drawn.searches {
         lines.extend([String::new(), followed(search)]);
         lines.extend(assembled(search));
@@ -64,6 +66,19 @@ fn followed(search: &SearchFollowed) -> String {
              within a third of the interval while {goes} about the drawing."
         ),
     }
+}
+
+/// The unknowns that are solved at once, and how far.
+fn solved_together(tracked: &Tracked) -> String {
+    let names: Vec<_> =
+        tracked.unknowns.iter().map(|unknown| format!("`{}`", unknown.name)).collect();
+    let stretch = Stretch { input: None, ends: tracked.stretch(), is_angle: tracked.is_turned };
+    format!(
+        " {} are solved at once, by steps of Newton's method that are certified while {} about the drawing. No statement \
+         says that by hand.",
+        names.join(", "),
+        goes(&stretch)
+    )
 }
 
 /// The count of ways to assemble its group where it is drawn.
@@ -97,6 +112,9 @@ fn statements(mechanism: &Mechanism) -> Vec<String> {
     let mut declared = Declared { mechanism, inputs: BTreeSet::new(), params: BTreeSet::new() };
     let mut moving = Vec::new();
     for place in 0..=mechanism.steps.len() {
+        for tracked in mechanism.tracked.iter().filter(|tracked| tracked.steps[1] == place) {
+            moving.push(declared.closed(tracked));
+        }
         for unknown in &mechanism.unknowns {
             let [begins, ends] = unknown.steps;
             if begins == place {
@@ -301,6 +319,15 @@ impl Declared<'_> {
         let near = unknown.near.as_ref().map(|near| self.number(near, DeclaredUnit::Bare));
         let near = near.map_or(String::new(), |near| format!(", near: {near}"));
         format!("solve {} {{ {equation}, mode: {mode}{near} }}", unknown.name)
+    }
+
+    /// The points that are one where a group is solved at once.
+    fn closed(&self, tracked: &Tracked) -> String {
+        let pairs = tracked.closings.iter().map(|closing| {
+            let [made, met] = closing.points.map(|point| self.point(point).to_string());
+            format!("{met} = {made}")
+        });
+        format!("// so that {}", pairs.collect::<Vec<_>>().join(", "))
     }
 
     fn on(&self, carrier: Carrier) -> String {

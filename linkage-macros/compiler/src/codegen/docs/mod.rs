@@ -315,12 +315,16 @@ pub(super) fn checked(mechanism: &Mechanism, lowered: &Lowered<'_>, id: EntryId)
         details(mechanism, &lowered.interface, entry),
         costs_in_words::in_words(lowered.costs[id.index()]),
         exceptions(&lowered.interface, entry),
-        if mechanism.unknowns.is_empty() { "" } else { NO_SOLUTION },
+        if mechanism.unknowns.is_empty() { "" } else { NO_SOLUTION }.to_string()
+            + if mechanism.tracked.is_empty() { "" } else { NOT_CERTIFIED },
     ))
 }
 
 const NO_SOLUTION: &str = " `NoSolution` where an equation has no root of its mode between its ends, \
      `SeveralDeadPoints` where that is not known.";
+
+const NOT_CERTIFIED: &str =
+    " `NotCertified` beyond the stretch on which a group was followed from the drawing.";
 
 /// The errors that only an entry point of this kind returns, or never returns.
 fn exceptions(interface: &Interface, entry: &Entry) -> &'static str {

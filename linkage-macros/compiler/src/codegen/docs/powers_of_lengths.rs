@@ -48,6 +48,10 @@ pub(super) fn power(mechanism: &Mechanism, value: &Scalar) -> Option<i32> {
         Scalar::Slide(_) | Scalar::Coordinate(..) | Scalar::Distance(_) | Scalar::Offset(..) => {
             Some(1)
         }
+        Scalar::Tracked(group, index) => {
+            let is_angle = mechanism.tracked[group.index()].unknowns[*index].is_angle;
+            Some(if is_angle { 0 } else { 1 })
+        }
         Scalar::Let(id) => power(&mechanism.lets[id.index()].rest),
         Scalar::AboveZero(number) => power(&number.value),
         Scalar::Negate(inner) => power(inner),

@@ -79,6 +79,7 @@ const NAMES: &[&str] = &[
     "LinkageWhy",
     "LINKAGE_OK",
     "LINKAGE_JAMS",
+    "LINKAGE_NOT_CERTIFIED",
     "LINKAGE_OTHER_ASSEMBLY",
     "LINKAGE_COLD",
     "Linkage",

@@ -11,8 +11,8 @@ use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use linkage_core::private::{
-    Diagnosis, Moving, Nonzero, NotNegative, Positive, ReachCircles, ReachDistances, ReachLine,
-    ReachOffset, ShareOfCentres, Square, SquareOfCentres, diagnose_all, on_circle,
+    Certified, Diagnosis, Moving, Nonzero, NotNegative, Positive, ReachCircles, ReachDistances,
+    ReachLine, ReachOffset, ShareOfCentres, Square, SquareOfCentres, diagnose_all, on_circle,
 };
 use linkage_core::{Float, Fused, Fusion, Lanes, Mask, Plain, Real, Scalar, SolveError};
 
@@ -314,6 +314,7 @@ fn diagnosed<T: Real>(call: &Call) -> EntryOutputs {
         27 => Positive("group", "name").diagnose(value),
         28 => NotNegative("group", "name").diagnose(value),
         29 => Square("group").diagnose(value),
+        32 => Certified("group").diagnose(value),
         _ => Moving([a], "group").diagnose(value),
     };
     match found {
@@ -322,6 +323,7 @@ fn diagnosed<T: Real>(call: &Call) -> EntryOutputs {
         Err(SolveError::Singular { .. }) => [2.0, 0.0, 0.0, 0.0],
         Err(SolveError::Invalid { .. }) => [3.0, 0.0, 0.0, 0.0],
         Err(SolveError::NotFinite { .. }) => [4.0, 0.0, 0.0, 0.0],
+        Err(SolveError::NotCertified { .. }) => [12.0, 0.0, 0.0, 0.0],
         Err(error) => panic!("{error}"),
     }
 }
@@ -330,7 +332,7 @@ fn conditions_agree(programs: &[Program], count: usize) {
     let mut random = Random(11);
     for is_single in [false, true] {
         let mut statuses = BTreeSet::new();
-        for which in 20..32 {
+        for which in 20..=32 {
             let call = |_| Call { which, is_single, x: operands(&mut random, which, is_single) };
             let calls: Vec<Call> = (0..count).map(call).collect();
             let expected = compare(programs, &calls, |call| match is_single {
@@ -339,7 +341,7 @@ fn conditions_agree(programs: &[Program], count: usize) {
             });
             statuses.extend(expected.iter().map(|answer| answer[0] as i32));
         }
-        assert_eq!(statuses, BTreeSet::from([0, 1, 2, 3, 4]));
+        assert_eq!(statuses, BTreeSet::from([0, 1, 2, 3, 4, 12]));
     }
 }
 

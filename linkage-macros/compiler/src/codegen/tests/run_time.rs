@@ -7,7 +7,7 @@ use std::path::Path;
 
 use syn::{Item, UseTree};
 
-use crate::codegen::c::header::{JAMS, NO_SOLUTION, SHARED};
+use crate::codegen::c::header::{JAMS, NO_SOLUTION, NOT_CERTIFIED, SHARED};
 use crate::codegen::rust::paths::IMPORTED;
 
 /// The items of a file of the run-time crate.
@@ -56,12 +56,16 @@ fn what_is_imported_is_what_there_is() {
 #[test]
 fn the_header_has_the_codes_of_the_run_time_crate() {
     let words = |line: &str| line.split([' ', '=', ',']).map(str::to_string).collect::<Vec<_>>();
-    let codes = [SHARED, NO_SOLUTION, JAMS].into_iter().flat_map(str::lines).filter_map(|line| {
-        let words: Vec<String> = words(line).into_iter().filter(|word| !word.is_empty()).collect();
-        let at = words.iter().position(|word| word.starts_with("LINKAGE_"))?;
-        let code = words.get(at + 1)?.parse::<i32>().ok()?;
-        Some((words[at].trim_start_matches("LINKAGE_").to_string(), code.to_string()))
-    });
+    let codes = [SHARED, NO_SOLUTION, JAMS, NOT_CERTIFIED]
+        .into_iter()
+        .flat_map(str::lines)
+        .filter_map(|line| {
+            let words: Vec<String> =
+                words(line).into_iter().filter(|word| !word.is_empty()).collect();
+            let at = words.iter().position(|word| word.starts_with("LINKAGE_"))?;
+            let code = words.get(at + 1)?.parse::<i32>().ok()?;
+            Some((words[at].trim_start_matches("LINKAGE_").to_string(), code.to_string()))
+        });
     let mut codes: BTreeMap<String, String> = codes.collect();
     // The modes are numbers of their own.
     for (mode, number) in [("LEFT", "1"), ("RIGHT", "-1"), ("AHEAD", "1"), ("BEHIND", "-1")] {

@@ -27,8 +27,14 @@ use outcomes::{Outcomes, Sample};
 
 /// Messages about machines that are driven at a link at random: that one unknown does not solve them, that a gear turns
 /// what it is read from, which is not followed backwards, or that the drawing is next to a limit.
-const REFUSED: [&str; 5] =
-    ["class III or higher", "fight", "a dead point", "draw another pose", "close to the drawing"];
+const REFUSED: [&str; 6] = [
+    "class III or higher",
+    "fight",
+    "a dead point",
+    "draw another pose",
+    "close to the drawing",
+    "what pushes in its joints is not known",
+];
 
 /// Machines of consecutive seeds, every number of which is right.
 fn outcomes(seeds: std::ops::Range<u64>, sample: impl Fn(u64) -> Sample) -> Outcomes {

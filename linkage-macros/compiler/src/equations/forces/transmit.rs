@@ -54,6 +54,8 @@ impl<'s> Walk<'_, 's> {
             }
             Scalar::Offset(point, guide) => self.press(*point, *guide, effort),
             Scalar::Unknown(unknown) => self.add_sought(*unknown, effort),
+            // No force is asked for in what such a group moves.
+            Scalar::Tracked(..) => {}
             Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => {
                 unreachable!("none of these is part of a dimension")
             }

@@ -5,6 +5,7 @@
 //! statements through these, and knows no kind by itself.
 
 pub(super) mod acts;
+mod closed_loops;
 pub(super) mod contacts;
 pub(super) mod drive_by;
 pub(super) mod dyads;
@@ -103,6 +104,8 @@ pub(super) fn rules(statement: &Statement) -> &dyn Rules {
         StatementKind::Let(it) => it,
         StatementKind::Unknown(it) => it,
         StatementKind::Solve(it) => it,
+        StatementKind::Track(it) => it,
+        StatementKind::Close(it) => it,
         StatementKind::Ground(it) => it,
         StatementKind::Pin(it) => it,
         StatementKind::Link(it) => it,

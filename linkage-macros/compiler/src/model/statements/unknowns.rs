@@ -158,6 +158,7 @@ pub(in crate::model) fn changes_with(searched: &Searched, expr: &Scalar) -> bool
         | Scalar::Input(_)
         | Scalar::Param(_)
         | Scalar::Load(_)
+        | Scalar::Tracked(..)
         | Scalar::Pull => false,
         // Only forces read these.
         Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => false,

@@ -160,6 +160,25 @@ pub(crate) struct DriveStatement {
     pub written: Option<(Ident, Ident)>,
 }
 
+/// The unknowns of a group of a drawing that is solved by all of them at once. Nobody writes it.
+#[derive(Clone)]
+pub(crate) struct TrackStatement {
+    pub unknowns: Vec<Ident>,
+    /// The value of the drive over which they are known.
+    pub drive: Expr,
+    /// The index of the group among those of the drawing.
+    pub group: usize,
+}
+
+/// The points that close the loops of such a group.
+#[derive(Clone)]
+pub(crate) struct CloseStatement {
+    pub unknowns: Vec<Ident>,
+    pub points: Vec<[Ident; 2]>,
+    /// By pair, a bound on the second derivatives of the vector between both.
+    pub bends: Vec<f64>,
+}
+
 /// `solve theta { ram.slide = x, mode: falling, near: seed }`.
 #[derive(Clone)]
 pub(crate) struct Solve {

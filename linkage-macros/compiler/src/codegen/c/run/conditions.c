@@ -223,3 +223,13 @@ LinkageWide linkage_moving(LinkageWhy *why, LinkageWide value, LinkageWide sprea
     return refuse(why, LINKAGE_SINGULAR, name, NULL, 0, value);
 }
 
+LinkageWide linkage_certified(LinkageWhy *why, LinkageWide value, const char *group)
+{
+    if (why->status != LINKAGE_OK || value > 0) {
+        return value;
+    }
+    if (value != value) {
+        return refuse(why, LINKAGE_NOT_FINITE, NULL, group, 0, value);
+    }
+    return refuse(why, LINKAGE_NOT_CERTIFIED, group, NULL, 0, value);
+}

@@ -40,6 +40,7 @@ LinkageWide linkage_positive(LinkageWhy *why, LinkageWide value, const char *gro
 LinkageWide linkage_not_negative(LinkageWhy *why, LinkageWide value, const char *group, const char *name);
 LinkageWide linkage_square(LinkageWhy *why, LinkageWide value, const char *group);
 LinkageWide linkage_moving(LinkageWhy *why, LinkageWide value, LinkageWide spread, const char *name);
+LinkageWide linkage_certified(LinkageWhy *why, LinkageWide value, const char *group);
 LinkageWide linkage_closed(LinkageWhy *why, LinkageWide difference, LinkageWide size, const char *unknown);
 LinkageWide linkage_reach_circles(LinkageWhy *why, LinkageWide value, LinkageWide dx, LinkageWide dy, LinkageWide l1, LinkageWide l2, LinkageWide unit, LinkageWide spread, const char *group);
 LinkageWide linkage_share_of_centres(LinkageWhy *why, LinkageWide value, LinkageWide height, LinkageWide dx, LinkageWide dy, LinkageWide l1, LinkageWide l2, LinkageWide spread, const char *group);

@@ -15,6 +15,7 @@ const char *linkage_status_text(LinkageStatus status)
     case LINKAGE_NO_SOLUTION: return "no solution of the mode between the ends of the unknown";
     case LINKAGE_SEVERAL_DEAD_POINTS: return "several dead points between the ends of the unknown: narrow the interval";
     case LINKAGE_JAMS: return "jams: friction may hold itself at the joint";
+    case LINKAGE_NOT_CERTIFIED: return "not certified: the group was not followed so far from the drawing";
     case LINKAGE_OTHER_ASSEMBLY: return "other assembly: the group has another side than for the other set of inputs";
     default: return "no status of linkage";
     }

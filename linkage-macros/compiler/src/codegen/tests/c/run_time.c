@@ -72,6 +72,7 @@ static void conditions(const Call *call, Answer *to)
     case 28: to->y[0] = linkage_not_negative(&why, x[0], "group", "name"); break;
     case 29: to->y[0] = linkage_square(&why, x[0], "group"); break;
     case 30: to->y[0] = linkage_moving(&why, x[0], x[1], "group"); break;
+    case 32: to->y[0] = linkage_certified(&why, x[0], "group"); break;
     case 31: {
         const LinkageNamed given[3] = { { x[0], "0" }, { x[1], "1" }, { x[2], "2" } }, result = { x[3], "3" };
         linkage_given_finite(&why, given, 3);

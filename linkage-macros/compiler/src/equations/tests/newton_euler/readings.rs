@@ -12,7 +12,8 @@ pub(super) fn readings(mechanism: &Mechanism, expr: &Scalar, leaves: &mut Vec<Sc
         | Scalar::Coordinate(..)
         | Scalar::Distance(_)
         | Scalar::Offset(..)
-        | Scalar::Unknown(_) => {
+        | Scalar::Unknown(_)
+        | Scalar::Tracked(..) => {
             if !leaves.iter().any(|known| same(known, expr)) {
                 leaves.push(expr.clone());
             }

@@ -33,6 +33,7 @@ pub(in crate::model::drawn) fn report(
             loose::loose(bodies, those, *freedoms, diagnostics);
         }
         Trouble::Undecided { bodies: those } => undecided(bodies, those, diagnostics),
+        Trouble::Loaded { bodies: those } => loaded(bodies, those, diagnostics),
         Trouble::AtDeadPoint { bodies: those } => at_dead_point(bodies, those, diagnostics),
         Trouble::AtLimits { bodies: those, dyad } => at_limits(bodies, those, *dyad, diagnostics),
         Trouble::NotAlone { bodies: those, other } => {
@@ -176,6 +177,16 @@ fn undecided(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics
     let message = format!("{} are one group of class III or higher", bodies.listed(those));
     let reason = "drive another joint, so that each pair of links stands on what is known; or declare \
                   the groups with `unknown` and `solve`";
+    diagnostics.error_because(link.span(), message, reason);
+}
+
+fn loaded(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
+    let Some(link) = bodies.last_link(those) else { return };
+    let message = format!(
+        "{} are one group that no single unknown solves: what pushes in its joints is not known yet",
+        bodies.listed(those)
+    );
+    let reason = "leave out masses and what acts, and the group is solved; or drive another joint";
     diagnostics.error_because(link.span(), message, reason);
 }
 

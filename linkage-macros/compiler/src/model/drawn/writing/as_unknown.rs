@@ -1,13 +1,14 @@
 //! Searches: a group of class III as an unknown, what it drives, and the link that was left out as the
-//! equation.
+//! equation. A group that no single unknown solves as a driver a body, and the points that close its loops.
 
 use proc_macro2::{Ident, Span};
 
-use crate::chain::cutting::{DyadLeg, Found, Pair, SearchedGroup};
+use crate::chain::cutting::{Closing, DyadLeg, Found, Pair, SearchedGroup, TrackedGroup};
 use crate::chain::machine::{Driven, InputRates};
 use crate::chain::plane::Complex;
 use crate::syntax::tree::{
-    Expr, ExprKind, GroupFieldValue, InputStatement, Solve, StatementKind, UnknownStatement,
+    CloseStatement, Expr, ExprKind, GroupFieldValue, InputStatement, PointPlace, PointStatement,
+    Solve, StatementKind, TrackStatement, UnknownStatement,
 };
 
 use crate::model::as_drawn::{SearchFollowed, Stretch};
@@ -18,7 +19,8 @@ use crate::model::drawn::writing::bars::DrawnBar;
 use crate::model::drawn::writing::followed::{DrawnValues, Fitted, traced_names};
 use crate::model::drawn::writing::group_statement::group_of;
 use crate::model::drawn::writing::writer::Writer;
-use crate::model::drawn_links::RodEnd;
+use crate::model::drawn_links::{RodEnd, TrackedFound};
+use crate::model::solved_at_once::TrackedUnknown;
 
 impl Writer<'_, '_> {
     /// The unknown that drives a body.
@@ -28,6 +30,9 @@ impl Writer<'_, '_> {
             kind: ExprKind::Name(Ident::new(&name.to_string(), span)),
             span: span.into(),
         };
+        if let Some((_, name)) = self.together.iter().find(|(own, _)| *own == body) {
+            return named(name);
+        }
         match self.searches.last() {
             Some(SearchFollowed { unknown, traced: Some(traced), .. }) => {
                 sum(named(unknown), named(traced))
@@ -35,6 +40,75 @@ impl Writer<'_, '_> {
             Some(SearchFollowed { unknown, .. }) => named(unknown),
             None => named(&Ident::new("phi", span)),
         }
+    }
+
+    /// Writes a group that is solved by all its unknowns at once.
+    pub(in crate::model::drawn) fn together(&mut self, tracked: &TrackedGroup) {
+        let bodies = tracked.bodies();
+        let statements = bodies.iter().map(|&body| self.bodies.link(body).statement);
+        let behind = statements.max().unwrap_or(0);
+        let (begin, key) = (self.written.len(), self.next_key());
+        let Some((_, drive)) = self.bodies.drives.first() else { return };
+        let (drive, drawn) = (drive.value.clone(), self.bodies.drawn_value(0).unwrap_or(0.0));
+        let unknowns: Vec<TrackedUnknown> =
+            tracked.unknowns().map(|step| self.tracked_unknown(step)).collect();
+        let names: Vec<_> = self.together.iter().map(|(_, name)| name.clone()).collect();
+        let group = self.links.tracked.len();
+        let unknown_names = names.clone();
+        self.put(
+            behind,
+            StatementKind::Track(TrackStatement { unknowns: unknown_names, drive, group }),
+        );
+        tracked.steps.iter().for_each(|step| self.step(step));
+        let points = tracked.closings.iter().map(|closing| self.closing(closing)).collect();
+        let bends = tracked.closings.iter().map(|closing| closing.bend).collect();
+        let close = CloseStatement { unknowns: names, points, bends };
+        self.put(behind, StatementKind::Close(close));
+        let machine = &self.bodies.machine;
+        let mut sorted = bodies.clone();
+        sorted.sort_unstable();
+        self.links.tracked.push(TrackedFound {
+            links: sorted.iter().map(|&body| self.frames.name(body).clone()).collect(),
+            unknowns,
+            drawn,
+            is_turned: machine.drives[0].kind == Driven::Angle,
+            closes: tracked.closes,
+            pieces: tracked.pieces.clone(),
+            size: tracked.size,
+        });
+        self.together.clear();
+        for written in &mut self.written[begin..] {
+            (written.search, written.behind) = (Some(key), behind);
+        }
+    }
+
+    /// The unknown of a step, with a name that nobody has written.
+    fn tracked_unknown(&mut self, step: &Found) -> TrackedUnknown {
+        let (Found::Crank { body, .. } | Found::Slider { body, .. }) = *step else {
+            unreachable!("every step of such a group is a driver")
+        };
+        let is_angle = matches!(step, Found::Crank { .. });
+        let link = self.frames.name(body).clone();
+        let ending = if is_angle { "_angle" } else { "_slide" };
+        let name = self.names.made(format!("{link}{ending}"), "_", link.span());
+        self.hide(name.clone(), &[body]);
+        let unknown = TrackedUnknown { name: name.to_string(), is_angle, drawn: self.drawn(step) };
+        self.together.push((body, name));
+        unknown
+    }
+
+    /// A pin, and the point of another body that is to be there.
+    fn closing(&mut self, &Closing { pin, body, .. }: &Closing) -> [Ident; 2] {
+        let (made, link) = (self.bodies.pins[pin].name.clone(), self.frames.name(body).clone());
+        let name = self.names.made(format!("{made}_on_{link}"), "_", link.span());
+        self.hide(name.clone(), &[]);
+        let frame = self.frames.own_frame(body);
+        let place = PointPlace::Cartesian(self.place_in(body, pin, &frame, &name));
+        self.links.placed.insert(name.clone());
+        let point = PointStatement { name: name.clone(), on: Some(link), place };
+        self.put(0, StatementKind::Point(point));
+        self.pin_is_elsewhere(body, pin);
+        [made, name]
     }
 
     pub(in crate::model::drawn) fn search(&mut self, search: &SearchedGroup) {
@@ -76,9 +150,9 @@ impl Writer<'_, '_> {
             }
             [Pair::Slide(_), _] => {}
         }
-        let index = self.searches.len() - 1;
+        let key = self.next_key();
         for written in &mut self.written[begin..] {
-            (written.search, written.behind) = (Some(index), behind);
+            (written.search, written.behind) = (Some(key), behind);
         }
     }
 
@@ -109,7 +183,7 @@ impl Writer<'_, '_> {
     }
 
     /// The value of what the unknown drives, in the drawing.
-    fn drawn(&self, step: &Found) -> f64 {
+    pub(in crate::model::drawn) fn drawn(&self, step: &Found) -> f64 {
         match step {
             Found::Crank { body, reference, .. } => {
                 let [turn, from] = [*body, *reference].map(|body| self.bodies.drawn_angle(body));

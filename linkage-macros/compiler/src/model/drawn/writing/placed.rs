@@ -116,30 +116,45 @@ impl Writer<'_, '_> {
                 continue;
             }
             let name = bodies.pins[pin].name.clone();
-            let place = match (length, ends) {
-                (Some(length), Some(ends)) if !frame.stands_on(ends[1]) => {
-                    self.far_end(&frame, ends, length)
-                }
-                (Some(length), Some([near, far])) => {
-                    let pen = self.frames.pen.at(name.span());
-                    let along = pen.minus(self.frames.place(far), self.frames.place(near));
-                    let along = frame.local_direction(&pen, &along);
-                    let size = pen.size(&along);
-                    let axis = match frame.points {
-                        Heading::Pins(from, to) if [from, to] == [near, far] => pen.x_axis(),
-                        _ => along.map(|part| pen.div(&part, &size)),
-                    };
-                    self.frames.turns.near_end(&pen, length, &axis)
-                }
-                _ => frame
-                    .local(&self.frames.pen.at(name.span()), self.frames.place(pin))
-                    .map(|number| number.text),
-            };
+            let place = self.place_in(body, pin, &frame, &name);
             let (on, place) = (Some(link.name.clone()), PointPlace::Cartesian(place));
             self.frames.turns.join(link.name, &name);
             self.links.placed.insert(name.clone());
             let kind = StatementKind::Point(PointStatement { name, on, place });
             self.put(link.statement, kind);
+        }
+    }
+
+    /// The place of a pin in the frame of its link, as its group gave it.
+    pub(in crate::model::drawn) fn place_in(
+        &mut self,
+        body: usize,
+        pin: usize,
+        frame: &DrawnFrame,
+        name: &Ident,
+    ) -> [Expr; 2] {
+        let bodies = self.bodies;
+        let link = bodies.link(body);
+        let length = link.length.as_ref().map(|(length, _)| *length);
+        let ends: Option<[usize; 2]> = length.and_then(|_| link.pins[..].try_into().ok());
+        match (length, ends) {
+            (Some(length), Some(ends)) if !frame.stands_on(ends[1]) => {
+                self.far_end(frame, ends, length)
+            }
+            (Some(length), Some([near, far])) => {
+                let pen = self.frames.pen.at(name.span());
+                let along = pen.minus(self.frames.place(far), self.frames.place(near));
+                let along = frame.local_direction(&pen, &along);
+                let size = pen.size(&along);
+                let axis = match frame.points {
+                    Heading::Pins(from, to) if [from, to] == [near, far] => pen.x_axis(),
+                    _ => along.map(|part| pen.div(&part, &size)),
+                };
+                self.frames.turns.near_end(&pen, length, &axis)
+            }
+            _ => frame
+                .local(&self.frames.pen.at(name.span()), self.frames.place(pin))
+                .map(|number| number.text),
         }
     }
 

@@ -66,6 +66,17 @@ impl Writer<'_, '_> {
         self.is_driven_by(drive, body);
     }
 
+    /// The field `offsets`, none where both are zero.
+    pub(in crate::model::drawn) fn offsets(
+        &self,
+        offsets: [Figure; 2],
+    ) -> Vec<(&'static str, GroupFieldValue)> {
+        match offsets.iter().all(Figure::is_zero) {
+            true => Vec::new(),
+            false => vec![("offsets", GroupFieldValue::Pair(offsets.map(|offset| offset.text)))],
+        }
+    }
+
     /// A block in the slot of a yoke on a rail.
     pub(in crate::model::drawn) fn yoke(
         &mut self,

@@ -55,7 +55,8 @@ pub(in crate::model::drawn) fn ordered(
         .collect();
     // A search begins when all is there that it stands on.
     for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
-        if search.is_some() && matches!(statement.kind, StatementKind::Unknown(_)) {
+        let begins = matches!(statement.kind, StatementKind::Unknown(_) | StatementKind::Track(_));
+        if search.is_some() && begins {
             let own: Vec<_> =
                 (0..statements.len()).filter(|&other| parts[other] == *search).collect();
             let all: Vec<_> = own.iter().flat_map(|&other| needs[other].clone()).collect();
@@ -77,7 +78,8 @@ pub(in crate::model::drawn) fn ordered(
 /// By search, the statement that solves it.
 fn solves_of_searches(statements: &[Written]) -> HashMap<usize, usize> {
     let solves = statements.iter().enumerate().filter_map(|(index, written)| {
-        let is_solve = matches!(written.statement.kind, StatementKind::Solve(_));
+        let is_solve =
+            matches!(written.statement.kind, StatementKind::Solve(_) | StatementKind::Close(_));
         Some((written.search.filter(|_| is_solve)?, index))
     });
     solves.collect()

@@ -43,6 +43,10 @@ pub(in crate::model::drawn) struct Writer<'b, 't> {
     pub(in crate::model::drawn) misplaced: Vec<Ident>,
     pub(in crate::model::drawn) frames: GroupFrames<'b, 't>,
     pub(in crate::model::drawn) written: Vec<Written>,
+    /// The bodies whose unknowns are solved at once, with these, while their group is written.
+    pub(in crate::model::drawn) together: Vec<(usize, Ident)>,
+    /// The count of groups so far that are solved by unknowns.
+    keys: usize,
     /// The searches so far.
     pub(in crate::model::drawn) searches: Vec<SearchFollowed>,
     pub(in crate::model::drawn) names: FreeNames,
@@ -69,6 +73,8 @@ impl<'b, 't> Writer<'b, 't> {
             misplaced: Vec::new(),
             frames: GroupFrames::new(bodies, pen),
             written: Vec::new(),
+            together: Vec::new(),
+            keys: 0,
             searches: Vec::new(),
             names: FreeNames::of(bodies.tree),
             bars: Vec::new(),
@@ -114,6 +120,12 @@ impl<'b, 't> Writer<'b, 't> {
             (names.made, frames.turns.found(), lengths, guides);
         let statements = sorted::ordered(written, &links);
         Translated { statements, links, searches, holds_links, misplaced }
+    }
+
+    /// The number of the next group that is solved by unknowns.
+    pub(in crate::model::drawn) fn next_key(&mut self) -> usize {
+        self.keys += 1;
+        self.keys - 1
     }
 
     /// Remembers the joint of a group that is a slide of the drawing: see [`GroupFrames::slide_found`].
@@ -162,6 +174,7 @@ impl<'b, 't> Writer<'b, 't> {
             Found::Dyad(dyad) if !dyad.carried.is_empty() => self.carried_dyad(dyad),
             Found::Dyad(dyad) => self.dyad(dyad),
             Found::Search(search) => self.search(search),
+            Found::Tracked(tracked) => self.together(tracked),
         }
     }
 
@@ -293,17 +306,6 @@ impl<'b, 't> Writer<'b, 't> {
             }
             (Pair::Pin(u), Pair::Slide(s), Pair::Slide(t)) => self.yoke(dyad, u, s, t),
             _ => {}
-        }
-    }
-
-    /// The field `offsets`, none where both are zero.
-    pub(in crate::model::drawn) fn offsets(
-        &self,
-        offsets: [Figure; 2],
-    ) -> Vec<(&'static str, GroupFieldValue)> {
-        match offsets.iter().all(Figure::is_zero) {
-            true => Vec::new(),
-            false => vec![("offsets", GroupFieldValue::Pair(offsets.map(|offset| offset.text)))],
         }
     }
 

@@ -1,0 +1,166 @@
+//! Groups that are solved by all their unknowns at once: in both widths, by dual numbers, and beyond their ends.
+
+use linkage_core::range::{Stop, limits};
+use linkage_core::{SolveError, Status, mechanism};
+use num_dual::{Dual2_64, Dual64};
+
+mechanism! {
+    /// The public gripper that a cylinder drives: the plate and both arms are found together.
+    pub struct Gripper {
+        input s: length;
+        ground A(-46.84mm, 7.47mm), K(0, 96.96mm), L(0.9mm, -73.71mm), O(65.19mm, 98.62mm), P(66.82mm, -101.05mm);
+        pin B(-0.81mm, 7.46mm), C(-17.01mm, 7.46mm), D(29.02mm, 7.45mm), G(43.11mm, 30.04mm), H(82.46mm, 30.04mm),
+            I(43.11mm, -10.11mm), J(82.46mm, -10.11mm), M(0.2mm, 59.03mm), Q(65.52mm, 57.86mm), S(148.51mm, 43.2mm),
+            T(0.7mm, -35.73mm), V(66.3mm, -37.16mm), X(148.51mm, -22.23mm);
+        guide bore on AB through A towards B;
+        guide left_bar through K towards L;
+        guide right_bar through O towards P;
+        link AB(A, B), CD(C, D) on bore, plate(D, G, H, I, J);
+        link GM(G, M), HQ(H, Q), upper(M, Q, S), IT(I, T), JV(J, V), lower(T, V, X);
+        link block_M(M) on left_bar, block_Q(Q) on right_bar, block_T(T) on left_bar, block_V(V) on right_bar;
+        drive CD.slide = s;
+    }
+}
+
+/// The way of the cylinder out of the drawing, and the places of S, X and D there in millimetres, by Newton's method in
+/// another program.
+const RIGHT: [[f64; 7]; 4] = [
+    [0.5, 148.739291, 39.324834, 148.397944, -26.407577, 29.147207, -0.066206],
+    [1.0, 148.879788, 39.071359, 148.366003, -27.095933, 29.364394, -2.547499],
+    [2.0, 149.165302, 57.78403, 148.629141, -11.615846, 30.952455, 10.712523],
+    [4.0, 149.17747, 73.281595, 148.684102, 2.264195, 31.37037, 23.618006],
+];
+
+const DRAWN: f64 = Gripper::DRAWN[0];
+/// The way out that was followed, to 0.2 % of it.
+const WHOLE: f64 = 0.158;
+
+#[test]
+fn a_gripper_is_right_to_the_last_printed_digit() {
+    for [out, sx, sy, xx, xy, dx, dy] in RIGHT {
+        let found = Gripper::new().position(DRAWN + out * 1e-3).expect("it is on its way");
+        let off = [
+            (found.S.x, sx),
+            (found.S.y, sy),
+            (found.X.x, xx),
+            (found.X.y, xy),
+            (found.D.x, dx),
+            (found.D.y, dy),
+        ];
+        for (found, right) in off {
+            // Half a unit of the last digit.
+            assert!((found * 1e3 - right).abs() < 0.51e-6, "{found} for {right} at {out} mm");
+        }
+    }
+}
+
+/// In steps of a thousandth of the way. The rates are those of the fourth step on dual numbers, whose first and second
+/// derivatives miss what three and two steps leave; the certificate bounds that by 1e-14 and 1e-7, and most starts are
+/// nearer. Rates are up to 3 and accelerations up to 1e5 per metre.
+#[test]
+fn rates_are_the_derivatives() {
+    let (plain, first, second) =
+        (Gripper::new(), Gripper::<Dual64>::default(), Gripper::<Dual2_64>::default());
+    for part in 1..1000 {
+        let s = DRAWN + WHOLE * f64::from(part) / 1000.0;
+        let moved = plain.motion(s, 1.0, 0.0).expect("it is on its way");
+        let once = first.position(Dual64::new(s, 1.0)).expect("it is on its way").S;
+        let twice = second.position(Dual2_64::new(s, 1.0, 0.0)).expect("it is on its way").S;
+        let (rate, accel) = (moved.velocity.S, moved.acceleration.S);
+        let (most, most_accel) = (1.0 + rate.x.hypot(rate.y), 1.0 + accel.x.hypot(accel.y));
+        let off = (once.x.eps - rate.x).hypot(once.y.eps - rate.y);
+        assert!(off < 1e-11 * most, "{off:e} of {most} at {s}");
+        let off = (twice.x.v2 - accel.x).hypot(twice.y.v2 - accel.y);
+        assert!(off < 1e-7 * most_accel, "{off:e} of {most_accel} at {s}");
+    }
+}
+
+/// In single precision the last place of the largest coordinate is 1.5e-8 m, and the slopes of the equations magnify some of
+/// these at most a thousand times, but next to the end.
+#[test]
+fn single_precision_is_certified_by_its_own_numbers() {
+    let (wide, narrow) = (Gripper::new(), Gripper::<f32>::default());
+    let (mut answered, mut most) = (0, 0.0_f64);
+    for part in 0..10_000 {
+        let s = (DRAWN + WHOLE * f64::from(part) / 10_000.0) as f32;
+        let Ok(found) = narrow.position(s) else { continue };
+        let right = wide.position(f64::from(s)).expect("it is certified in double precision").S;
+        let off = (f64::from(found.S.x) - right.x).hypot(f64::from(found.S.y) - right.y);
+        (answered, most) = (answered + 1, most.max(off));
+    }
+    println!("{answered} of 10000, off by {most:e}");
+    assert!(answered > 9_500 && most < 2e-5, "{answered} {most:e}");
+}
+
+#[test]
+fn beyond_its_way_a_gripper_is_not_certified() {
+    let group = "AB, CD, plate, GM, HQ, upper, IT, JV, lower, block_M, block_Q, block_T, block_V";
+    for beyond in [-1.0, -1e-5, 0.16, 1.0] {
+        let refused = Gripper::new().position(DRAWN + beyond);
+        assert_eq!(
+            refused.map(|found| found.S),
+            Err(SolveError::NotCertified { group }),
+            "{beyond}"
+        );
+    }
+    assert_eq!(Status::from(SolveError::NotCertified { group }), Status::NotCertified);
+    let found = limits(&Gripper::new(), [DRAWN - 0.01, DRAWN + 0.3]).expect("an interval");
+    let [way] = &found[..] else { panic!("{found:?}") };
+    assert_eq!([way.from.stop, way.to.stop], [Stop::Limit { group }; 2]);
+    // The drawing is 0.006 mm from the end.
+    assert!((way.from.at - DRAWN + 6e-6).abs() < 1e-6, "{way:?}");
+    assert!(way.to.at - DRAWN > WHOLE, "{way:?}");
+    for at in [way.from.at, way.to.at] {
+        assert!(Gripper::new().position(at).is_ok(), "{at}");
+    }
+}
+
+mechanism! {
+    /// Six links of an eight-bar behind a crank that turns fully: no two make a dyad, and no single unknown solves them.
+    pub struct EightBar {
+        input theta: angle;
+        ground P26(0.885, 0.043), P67(0.743, 0.312);
+        pin P01(0.102, 0.069), P02(0.935, 0.827), P13(0.6, 0.124), P04(0.09, 0.631), P34(0.207, 0.988), P15(0.884, 0.368),
+            P25(0.535, 0.864), P37(0.703, 0.282);
+        link L0(P01, P02, P04), L1(P01, P13, P15), L2(P02, P25, P26), L3(P13, P34, P37);
+        link L4(P04, P34), L5(P15, P25), L7(P37, P67);
+        drive L7.angle = theta;
+    }
+}
+
+/// Every bar is as long as drawn, whatever the turn. Newton's fourth step ends at the rounding of places of about one, times
+/// the slopes of the equations' inverse.
+#[test]
+fn a_crank_turns_a_group_of_several_unknowns_fully() {
+    let machine = EightBar::new();
+    let lengths = |theta: f64| {
+        let at = machine.position(theta).unwrap_or_else(|refused| panic!("{refused} at {theta}"));
+        let apart =
+            |p: linkage_core::Point<f64>, q: linkage_core::Point<f64>| (p.x - q.x).hypot(p.y - q.y);
+        [
+            apart(at.P01, at.P02),
+            apart(at.P02, at.P04),
+            apart(at.P01, at.P04),
+            apart(at.P01, at.P13),
+            apart(at.P13, at.P15),
+            apart(at.P01, at.P15),
+            apart(at.P02, at.P25),
+            apart(at.P13, at.P34),
+            apart(at.P34, at.P37),
+            apart(at.P13, at.P37),
+            apart(at.P04, at.P34),
+            apart(at.P15, at.P25),
+        ]
+    };
+    let drawn = lengths(EightBar::DRAWN[0]);
+    for part in 0..4_000 {
+        let theta = f64::from(part - 2_000) * 0.01;
+        for (drawn, now) in drawn.iter().zip(lengths(theta)) {
+            assert!((drawn - now).abs() < 1e-13, "{now} for {drawn} at {theta}");
+        }
+        let [here, ahead] = [theta, theta + 1e-3].map(|at| machine.position(at).expect("a pose"));
+        // It moves on without a jump: no pin is faster than ten times the crank's.
+        let moved = (ahead.P25.x - here.P25.x).hypot(ahead.P25.y - here.P25.y);
+        assert!(moved < 10.0 * 0.05 * 1e-3, "{moved} at {theta}");
+    }
+}
