@@ -1,6 +1,7 @@
 // Questions to the frame of the machine. They have the page's short names; what is called from outside stands in quotes.
 
 globalThis["ASKED"] = {
+  "text": () => PAGE.text,
   "inputs": () => [...state.q],
   "place": (name, theta) => new Pose([theta]).point(PLAN.points.indexOf(name)),
   /// Where a point is drawn, in pixels of the frame.

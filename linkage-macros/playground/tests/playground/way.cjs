@@ -32,11 +32,18 @@ const WRONG = `mechanism! {
   const settled = (is) => page.waitForFunction(is, null, { timeout: 20000 }).catch(() => failures.push(`never: ${is}`));
   const whole = () => settled(() => !document.querySelector("#messages .error") && document.querySelector("#stage").className === "" && document.querySelector("iframe.shown"));
   await whole();
-  /// Handles stand where this text has its places: what is compiled comes a moment later.
-  const handled = () => settled(() => [...document.querySelectorAll("#handles button:not([hidden])")].every((handle) => {
-    const [, name, words] = /^(\S+) at \((.*)\)\./.exec(handle.getAttribute("aria-label")), bare = (text) => text.replace(/\s/g, "");
-    return bare(document.querySelector("#editor textarea").value).includes(bare(`${name}(${words})`));
-  }));
+  /// Waits until a handle stands still where it belongs by this text.
+  const handled = async (name) => {
+    await asked();
+    let last = "";
+    for (let k = 0; k < 100; k++) {
+      const place = JSON.stringify(await page.locator(`#handles button[data-name=${name}]`).boundingBox());
+      if (place === last) return;
+      last = place;
+      await page.waitForTimeout(100);
+    }
+    failures.push(`the handle of ${name} never stands still`);
+  };
   /// Moves the focus by Tab to what has these words; nothing else is pressed.
   const tabTo = async (is) => {
     for (let k = 0; k < 200; k++) {
@@ -83,11 +90,19 @@ const WRONG = `mechanism! {
   expect((await text()) === WRONG.replace("400mm 0", "400mm, 0").replace("B, R, P", "B, C, P") || (await text()) === WRONG.replace("400mm 0", "400mm ,0").replace("B, R, P", "B, C, P"), "mended is", await text());
   // The coupler is dragged, or the input moved by keys.
   const script = fs.readFileSync(path.join(folder, "frame.js"), "utf8");
-  /// The frame that is shown, with what it is asked.
+  /// The frame that is shown, once it has this text, with what it is asked. One that begins anew answers nothing.
   const asked = async () => {
-    const frame = await shown();
-    await frame.evaluate(script);
-    return frame;
+    const isThis = async (frame) => {
+      await frame.evaluate(script);
+      return (await frame.evaluate(() => ASKED.text())) === (await text());
+    };
+    for (let k = 0; k < 200; k++) {
+      const frame = await shown();
+      if (await isThis(frame).catch(() => false)) return frame;
+      await page.waitForTimeout(100);
+    }
+    failures.push("the frame never has the text");
+    return shown();
   };
   let frame = await asked();
   const state = () => frame.evaluate(() => ASKED.inputs());
@@ -154,7 +169,7 @@ const WRONG = `mechanism! {
     await page.click("#redo");
     // A tracer and a pin of the ground move as well; a neighbour's coordinate is taken as it is.
     for (const [name, dx, dy] of [["P", 20, -15], ["D", 18, 3]]) {
-      await handled();
+      await handled(name);
       const box = await page.locator(`#handles button[data-name=${name}]`).boundingBox(), was = await text();
       const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
       await mouse.move(x, y);
@@ -170,8 +185,7 @@ const WRONG = `mechanism! {
     // What is no number stays, and is named.
     const written = await text();
     await area.fill(written.replace("P(180mm, 200mm)", "P(crank + 60mm, 200mm)"));
-    await whole();
-    await handled();
+    await handled("P");
     const box = await page.locator("#handles button[data-name=P]").boundingBox(), [x, y] = [box.x + 13, box.y + 13];
     await mouse.move(x, y);
     await mouse.down();
