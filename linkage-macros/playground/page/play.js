@@ -8,16 +8,24 @@ const say = (text) => $("#status").textContent = text;
 
 // ---- the compiler -----------------------------------------------------------------------------------
 
-/// Five letters are four bytes; none of them is `<`.
-const LETTERS = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&,>()[]{}@%$#";
+/// Eleven letters are nine bytes: all that can be printed but `<`.
 const bytesOf = (text) => {
-  const value = new Uint8Array(128), length = Math.floor((text.length * 4) / 5), bytes = new Uint8Array(length + 4), all = new DataView(bytes.buffer);
-  [...LETTERS].forEach((letter, k) => value[letter.charCodeAt(0)] = k);
-  for (let k = 0, at = 0; k < text.length; k += 5, at += 4) {
-    let word = 0;
-    // Letters that are left out at the end are the last one.
-    for (let n = k; n < k + 5; n++) word = word * 85 + (n < text.length ? value[text.charCodeAt(n)] : 84);
-    all.setUint32(at, word);
+  const length = Math.floor((text.length * 9) / 11), bytes = new Uint8Array(length + 12), all = new DataView(bytes.buffer);
+  // Three bytes each.
+  const parts = new Uint32Array(3);
+  for (let k = 0, at = 0; k < text.length; k += 11, at += 9) {
+    parts.fill(0);
+    for (let n = k; n < k + 11; n++) {
+      // Letters that are left out at the end are the last one.
+      const code = n < text.length ? text.charCodeAt(n) : 126;
+      let carry = code - (code > 60 ? 33 : 32);
+      for (let part = 2; part >= 0; part--) {
+        const sum = parts[part] * 94 + carry;
+        parts[part] = sum & 0xffffff;
+        carry = sum >>> 24;
+      }
+    }
+    for (let part = 0; part < 3; part++) all.setUint32(at + 3 * part, parts[part] << 8);
   }
   return bytes.subarray(0, length);
 };

@@ -4,14 +4,13 @@
 //! that target is missing it says so, and writes nothing.
 
 use std::error::Error;
-use std::io::Write;
+use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-use flate2::Compression;
-use flate2::write::GzEncoder;
 use linkage_core::sketch::shortened;
+use zopfli::{Format, Options};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -31,9 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("the playground is left out: `rustup target add {TARGET}` installs what it needs");
         return Ok(());
     };
-    let mut zipped = GzEncoder::new(Vec::new(), Compression::best());
-    zipped.write_all(&wasm)?;
-    let (wasm, zipped) = (wasm.len(), in_letters(&zipped.finish()?));
+    let (wasm, zipped) = (wasm.len(), in_letters(&zipped(&wasm)?));
     let machines = serde_json::to_string(&MACHINES)?;
     let script = include_str!("../page/play.js").replace("{{machines}}", &machines);
     let script = script.replace("{{move}}", include_str!("../page/move.js"));
@@ -89,20 +86,27 @@ fn filled(texts: &[(&str, &str)]) -> String {
     page
 }
 
-/// Five letters for four bytes, the first one the highest; at the end as many letters less as bytes are missing. They
-/// weigh a sixteenth less than base 64, and none of them ends an element.
+/// Eleven letters for nine bytes, the first one the highest: all that can be printed but `<`, so that none of them ends an
+/// element. At the end as many letters stand as the bytes need.
 fn in_letters(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 85] =
-        b"0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.-:+=^!/*?&,>()[]{}@%$#";
     let mut letters = String::new();
-    for chunk in bytes.chunks(4) {
-        let mut word = [0; 4];
-        word[..chunk.len()].copy_from_slice(chunk);
-        let word = u32::from_be_bytes(word);
-        let digits = [4, 3, 2, 1, 0].map(|power| word / 85_u32.pow(power) % 85);
-        letters.extend(
-            digits[..=chunk.len()].iter().map(|&digit| char::from(LETTERS[digit as usize])),
-        );
+    for chunk in bytes.chunks(9) {
+        let mut padded = [0; 16];
+        padded[7..7 + chunk.len()].copy_from_slice(chunk);
+        let word = u128::from_be_bytes(padded);
+        let digits = (0..11).rev().map(|power| (word / 94_u128.pow(power) % 94) as u8);
+        let needed = digits.take((11 * chunk.len()).div_ceil(9));
+        letters
+            .extend(needed.map(|digit| char::from(b' ' + digit + u8::from(digit >= b'<' - b' '))));
     }
     letters
+}
+
+/// The least archive that some rounds find: each takes seconds, and the browser has to fetch it once.
+fn zipped(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
+    let options =
+        Options { iteration_count: NonZeroU64::MIN.saturating_add(4), ..Options::default() };
+    let mut zipped = Vec::new();
+    zopfli::compress(options, Format::Gzip, bytes, &mut zipped)?;
+    Ok(zipped)
 }

@@ -1,7 +1,7 @@
 // What the compiler for a browser answers, written into a folder beside the texts.
 const fs = require("fs"), [, , page, folder] = process.argv;
 const html = fs.readFileSync(page, "utf8"), letters = /<script type="text\/plain" id="wasm">([^<]*)</.exec(html)[1];
-const bytesOf = new Function(`${/const LETTERS = [^]*?\n};\n/.exec(html)[0]} return bytesOf;`)();
+const bytesOf = new Function(`${/const bytesOf = [^]*?\n};\n/.exec(html)[0]} return bytesOf;`)();
 const wasm = new WebAssembly.Instance(new WebAssembly.Module(require("zlib").gunzipSync(bytesOf(letters)))).exports;
 const answered = (text, task) => {
   const given = Buffer.from(text), at = wasm.room(given.length);

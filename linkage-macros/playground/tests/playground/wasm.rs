@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 use linkage_playground::{ALL, C, CHECK, FMU, RUST, answered};
 
@@ -11,17 +12,21 @@ use super::{MACHINES, skipped};
 /// Answers of the compiler in a browser, written into a folder.
 const ASK: &str = include_str!("ask.cjs");
 
-/// The playground, if this machine can build it.
+/// The playground, if this machine can build it: once for all tests.
 pub(crate) fn built() -> Option<PathBuf> {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("play.html");
-    let _ = fs::remove_file(&path);
-    let status = Command::new(env!("CARGO_BIN_EXE_playground")).arg(&path).status();
-    assert!(status.expect("the program starts").success());
-    if !path.exists() {
+    static BUILT: OnceLock<Option<PathBuf>> = OnceLock::new();
+    let build = || {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("play.html");
+        let _ = fs::remove_file(&path);
+        let status = Command::new(env!("CARGO_BIN_EXE_playground")).arg(&path).status();
+        assert!(status.expect("the program starts").success());
+        path.exists().then_some(path)
+    };
+    let path = BUILT.get_or_init(build).clone();
+    if path.is_none() {
         skipped::skipped("the playground: no wasm32-unknown-unknown");
-        return None;
     }
-    Some(path)
+    path
 }
 
 /// Every machine in every language, byte for byte; their drawn lengths are numbers on which all systems' `hypot` agree.
