@@ -85,6 +85,7 @@ pub mod start_in_rust {
     //! [crate]: crate#features
     //! [forces]: super::forces
     //! [searching]: super::both_directions#searching
+    //! [several]: super::both_directions#groups-of-class-iii
     //! [`Direction`]: crate::Direction
     //! [`Mechanism`]: crate::Mechanism
     //! [`Parameters`]: crate::Parameters
@@ -214,6 +215,8 @@ pub mod both_directions {
     //! [class III]: super::cut#class-iii
     //! [all assemblies]: super::method_and_measurements#all-assemblies
     //! [forces]: super::forces#beside-an-unknown
+    //! [measurements]: super::method_and_measurements#size
+    //! [`NotCertified`]: crate::SolveError::NotCertified
     //! [`Search::find_output`]: crate::find::Search::find_output
     //! [`Tracker`]: crate::Tracker
     //! [`find`]: crate::find
