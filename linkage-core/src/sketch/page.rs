@@ -6,13 +6,14 @@
 //! inputs of a dragged point; nothing of this touches the document. `picture.js`, `symbols.js`, `curves.js`,
 //! `acts.js`, `controls.js` and `page.js` do. What only some machines have stands in files that only their pages
 //! have, `slides.js`, `springs.js`, `forces.js`, `marks.js`, `held.js`, `run.js`, `tolerance.js`, `defaults.js`,
-//! `modes.js`, `wanted.js`, `sets.js` and `ranges.js`: `assembled.rs` says when. `squeeze.rs` strips all of them, and
+//! `modes.js`, `wanted.js`, `sets.js` and `ranges.js`: `page_files.rs` says when. `squeeze.rs` strips all of them, and
 //! `names.rs` gives their words short names.
 
 mod assembled;
 mod declared;
 mod json;
 mod names;
+mod page_files;
 mod settings;
 mod squeeze;
 #[cfg(test)]
@@ -26,8 +27,8 @@ use std::vec::Vec;
 pub use assembled::{Machine, html, html_of_sets};
 use declared::PageOf;
 pub use declared::{Declared, Paged};
+pub use names::shortened;
 pub use settings::Wishes;
-pub use squeeze::shortened;
 
 use super::plan::PlanOf;
 use super::sketch_error::SketchError;

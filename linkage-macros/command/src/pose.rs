@@ -3,9 +3,9 @@
 use linkage_compiler::{Conditions, GuardedValue, SoughtRoot};
 use linkage_core::SolveError;
 use linkage_core::private::{
-    Checks, FirstError, Moving, Nonzero, NotNegative, Positive, ReachCircles, ReachDistances,
-    ReachLine, ReachOffset, ShareOfCentres, Square, SquareOfCentres, Trend, bound, root,
-    root_within_a_turn,
+    Certified, Checks, FirstError, Moving, Nonzero, NotNegative, Positive, ReachCircles,
+    ReachDistances, ReachLine, ReachOffset, ShareOfCentres, Square, SquareOfCentres, Trend, bound,
+    root, root_within_a_turn,
 };
 
 /// The first condition that is not met, if there is one.
@@ -36,6 +36,7 @@ impl Conditions for PoseConditions {
             "ReachLine" => first.guard(value, ReachLine(array(operands), group)),
             "ReachOffset" => first.guard(value, ReachOffset(array(operands), group)),
             "SquareOfCentres" => first.guard(value, SquareOfCentres(array(operands), group)),
+            "Certified" => first.guard(value, Certified(group)),
             "Moving" => first.guard(value, Moving(array(operands), group)),
             "Nonzero" => first.guard(value, Nonzero(group)),
             "Square" => first.guard(value, Square(group)),

@@ -7,11 +7,16 @@ use std::process::{Command, Output};
 use linkage_core::SolveError;
 
 include!("data/shear.rs");
+include!("data/gripper.rs");
 
 fn draw(flags: &[&str]) -> Output {
+    draw_of("shear.rs", flags)
+}
+
+fn draw_of(file: &str, flags: &[&str]) -> Output {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
-    let command = command.args(["draw", "shear.rs"]).args(flags).current_dir(data);
+    let command = command.args(["draw", file]).args(flags).current_dir(data);
     command.output().expect("the program starts")
 }
 
@@ -49,6 +54,22 @@ fn a_pose_that_is_none_is_told() {
     let (status, why) = told(&["--at", "theta=1m"]);
     assert_eq!(status, Some(2), "{why}");
     assert!(why.contains("this is in m, and `theta` is in rad"), "{why}");
+}
+
+/// A group of several unknowns is drawn where it is certified, and refused by that elsewhere.
+#[test]
+fn a_group_of_several_unknowns_is_drawn() {
+    let gripper = Gripper::new();
+    let [drawn] = Gripper::DRAWN;
+    let sketch = gripper.sketch(drawn + 1e-3).expect("the cylinder comes out");
+    let at = format!("s={:?}", drawn + 1e-3);
+    let output = draw_of("gripper.rs", &["--at", &at]);
+    assert_eq!(String::from_utf8_lossy(&output.stdout), sketch.to_svg().expect("it can be drawn"));
+    let error = gripper.sketch(drawn + 0.3).expect_err("the links are not so long");
+    assert!(matches!(error, SolveError::NotCertified { .. }), "{error:?}");
+    let output = draw_of("gripper.rs", &["--at", &format!("s={:?}", drawn + 0.3)]);
+    let why = String::from_utf8_lossy(&output.stderr);
+    assert!(why.contains(&format!("`Gripper` cannot be drawn: {error}")), "{why}");
 }
 
 #[test]

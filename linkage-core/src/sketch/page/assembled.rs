@@ -6,69 +6,15 @@ use std::vec::Vec;
 
 use super::declared::Declared;
 use super::json::{list, number, object, string};
+use super::names::script;
+use super::page_files::{
+    ARITHMETIC, BEGINS, FRICTION, PARTS, RANGES, READS, SEARCH, SHOWS, SKELETON, STYLE,
+};
 use super::settings::Wishes;
 use super::squeeze;
 use crate::sketch::drawn::spaced;
 use crate::sketch::sketch_error::SketchError;
 use crate::sketch::svg::escaped;
-
-/// The files that compute and decide.
-pub(super) const ARITHMETIC: [&str; 3] =
-    [include_str!("kernels.js"), include_str!("limit.js"), include_str!("checks.js")];
-
-/// The files of the search for an unknown.
-pub(super) const SEARCH: [&str; 2] = [include_str!("roots.js"), include_str!("survey.js")];
-
-/// The file that solves for friction.
-pub(super) const FRICTION: [&str; 1] = [include_str!("friction.js")];
-
-/// The files that read the results, without a document.
-pub(super) const READS: [&str; 3] =
-    [include_str!("words.js"), include_str!("pose.js"), include_str!("drag.js")];
-
-/// The file that finds ends of sliders, where the page is told none.
-pub(super) const RANGES: [&str; 1] = [include_str!("ranges.js")];
-
-/// The files of all that a reader sees and sets.
-pub(super) const SHOWS: [&str; 5] = [
-    include_str!("picture.js"),
-    include_str!("symbols.js"),
-    include_str!("curves.js"),
-    include_str!("acts.js"),
-    include_str!("controls.js"),
-];
-
-/// The files that only pages of some machines have, each with what stands in these machines' constants, and with its style.
-pub(super) const PARTS: [(&[&str], &str, &str); 11] = [
-    (&["const SETS"], include_str!("sets.js"), ""),
-    (&["\nmarks: "], include_str!("marks.js"), include_str!("marks.css")),
-    (&["\nforces: ", "\nappliedAt: ", "\nmarks: "], include_str!("forces.js"), ""),
-    (
-        &["guides:[\"", "\"block\"", "\"sleeve\"", "\"cylinder\"", "\"slotted_bar\"", "\"yoke\""],
-        include_str!("slides.js"),
-        include_str!("slides.css"),
-    ),
-    (&["springs:[{"], include_str!("springs.js"), ""),
-    (&["\nholding: "], include_str!("held.js"), ""),
-    (&["params:[{"], include_str!("tolerance.js"), include_str!("tolerance.css")),
-    (&["params:[{"], include_str!("defaults.js"), ""),
-    (&["words:["], include_str!("modes.js"), include_str!("modes.css")),
-    (&["wanted:[{"], include_str!("wanted.js"), ""),
-    (&["_dynamics: "], include_str!("run.js"), ""),
-];
-
-/// The file that begins the page, behind all others.
-pub(super) const BEGINS: [&str; 1] = [include_str!("page.js")];
-
-/// The style of all pages, and what stands on them.
-pub(super) const STYLE: &str = include_str!("page.css");
-pub(super) const SKELETON: &str = include_str!("page.html");
-
-/// Every file of the run-time.
-pub(super) fn every_file() -> Vec<&'static str> {
-    let parts: Vec<&str> = PARTS.iter().map(|(_, file, _)| *file).collect();
-    [&ARITHMETIC[..], &SEARCH, &FRICTION, &READS, &RANGES, &SHOWS, &parts, &BEGINS].concat()
-}
 
 /// A mechanism as its page has it.
 #[derive(Clone, Copy, Debug)]
@@ -126,7 +72,7 @@ pub fn html_of_sets(
     Ok(written([name, docs], &consts, wishes))
 }
 
-/// Of several sets that one drives which is asked for, by the page around this one or by the address.
+/// The choice among several sets of the one that drives: by the page around this one, or by the address.
 const CHOSEN: &str = r#"const asksFor = ({ set }) => (globalThis.STATE || (globalThis.location?.hash ?? "").slice(1)).split("&").includes(`~by=${encodeURIComponent(set)}`);
 const BY = SETS.find(asksFor) ?? SETS[0];
 const { plan: PLAN, page: PAGE, machine: MACHINE } = BY;
@@ -180,11 +126,11 @@ fn written([name, docs]: [&str; 2], consts: &str, wishes: &Wishes) -> String {
     );
     let parts = [&ARITHMETIC[..], search, friction, &READS, ranges];
     let computes = [&[consts], &parts.concat()[..]].concat();
-    let computes = format!("\"use strict\";\n{}", squeeze::script(&computes));
+    let computes = format!("\"use strict\";\n{}", script(&computes));
     let own = PARTS.iter().filter(|(found, ..)| found.iter().any(|found| has(found)));
     let (own, styles): (Vec<_>, Vec<_>) = own.map(|(_, file, style)| (*file, *style)).unzip();
     let shown = [&SHOWS, &own[..], &BEGINS].concat();
-    let shows = format!("\"use strict\";\n{}", squeeze::script(&shown));
+    let shows = format!("\"use strict\";\n{}", script(&shown));
     filled(&[
         ("style", &squeeze::style(&[&[STYLE], &styles[..]].concat())),
         ("title", &escaped(title)),

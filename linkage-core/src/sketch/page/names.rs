@@ -10,79 +10,43 @@ use std::string::{String, ToString};
 use std::sync::OnceLock;
 use std::vec::Vec;
 
-use super::assembled::every_file;
-use super::squeeze::squeezed;
+use super::page_files::every_file;
+use super::squeeze::{Names, squeezed};
 
-/// Words of the language.
-const LANGUAGE: &str = "\
-     async await break catch class const constructor continue else false for from get if in let new null \
-     of return set this throw true try typeof undefined while";
+/// Words that stay, under a comment of what they are.
+const KEPT: &str = include_str!("kept_words.txt");
 
-/// Words of the browser that the files ask for.
-const BROWSER: &str = "\
-     abs acos activeElement add addEventListener addRange append ariaLabel Array ArrayBuffer asin assign \
-     asUintN at atan atan2 autocomplete backgroundColor BigInt Blob Boolean body bottom button ceil checked \
-     children classList className clearTimeout click clientWidth clientX clientY clipboard cloneNode \
-     concat contains cos createElement createElementNS createObjectURL createRange cursor cx cy d \
-     DataView decodeURIComponent display document download drawImage encodeURIComponent endsWith entries \
-     every exec execCommand exp fill filter find findIndex findLast findLastIndex flat flatMap floor \
-     focus font fontFamily fontSize forEach getAttribute getBoundingClientRect getComputedStyle \
-     getContext getFloat64 getPropertyValue getSelection getUint32 globalThis has hash hasPointerCapture \
-     height hidden history href htmlFor hypot id Image includes index indexOf Infinity innerHeight \
-     innerHTML innerWidth insertAdjacentHTML insertRow is isArray isFinite isNaN isPrimary join key keys lastChild \
-     lastIndexOf left location log log10 Map map matchAll matches matchMedia Math max MAX_VALUE \
-     measureText min MIN_VALUE name NaN navigator now Number Object observe offsetHeight onload Option \
-     parent parentElement parseFloat performance PI pointerId pointerType pop postMessage pow \
-     preventDefault preventScroll push querySelector querySelectorAll r raw reduce reduceRight RegExp \
-     reload remove removeAllRanges removeAttribute replace replaceAll replaceChildren replaceState \
-     requestAnimationFrame ResizeObserver reverse revokeObjectURL right role round rx scope scrollBy \
-     search select selectNodeContents serializeToString Set setAttribute setFloat64 setPointerCapture \
-     setTimeout setUint32 shift shiftKey sign sin slice some sort spellcheck splice split sqrt src \
-     startsWith step String stroke style tan tanh target test textContent toBlob toExponential toFixed \
-     toggle top toPrecision transform trim type URL values viewBox visibility width window writeText x \
-     xmlns XMLSerializer y";
+/// Files of JavaScript, one behind the other, with the short names of a page.
+pub(super) fn script(files: &[&str]) -> String {
+    squeezed(files, of_pages(), &mut |_| ())
+}
 
-/// Keys that texts name: functions of a machine, layers of the picture, units, kinds of refusals, the fields of what is told to a
-/// page around this one, and the globals that it sets.
-const KEYS: &str = "\
-     angle applied auto bodies cm deg forces forward_dynamics ft g ghost grip ground holding in Invalid \
-     Jams kg kind km kN kNm length m marked mm MN mN motion MOVED ms N names Nm Nmm NoSolution pins place rad \
-     reach rpm s SeveralDeadPoints springs STATE t text traces turn um value W";
+/// A script that runs on a page beside the page's own, with the names that everything has there.
+#[must_use]
+pub fn shortened(file: &str) -> String {
+    script(&[file])
+}
 
-/// Arguments of the functions that the macro prints: nothing of the page's own has these names.
-const ARGUMENTS: &str = "a c e k l p q v";
-
-/// The short names of words.
-#[derive(Debug, Default)]
-pub(super) struct Names(BTreeMap<String, String>);
-
-impl Names {
-    /// Those of all pages.
-    pub(super) fn of_pages() -> &'static Self {
-        static NAMES: OnceLock<Names> = OnceLock::new();
-        NAMES.get_or_init(|| {
-            let mut counts = BTreeMap::<String, usize>::new();
-            let mut count = |word: &str| *counts.entry(word.to_string()).or_default() += 1;
-            squeezed(&every_file(), &Self::default(), &mut count);
-            let kept: BTreeSet<&str> = kept().collect();
-            let is_own = |(word, _): &(String, usize)| !kept.contains(&word[..]);
-            let mut words: Vec<_> = counts.into_iter().filter(is_own).collect();
-            words.sort_by(|(a, first), (b, second)| second.cmp(first).then_with(|| a.cmp(b)));
-            let written: BTreeSet<&str> = words.iter().map(|(word, _)| &word[..]).collect();
-            let shorts: Vec<String> = shorts(&written).take(words.len()).collect();
-            Self(words.into_iter().map(|(word, _)| word).zip(shorts).collect())
-        })
-    }
-
-    /// The short name of a word, or the word itself.
-    pub(super) fn short<'a>(&'a self, word: &'a str) -> &'a str {
-        self.0.get(word).map_or(word, |short| short)
-    }
+/// The short names of all pages.
+fn of_pages() -> &'static Names {
+    static NAMES: OnceLock<Names> = OnceLock::new();
+    NAMES.get_or_init(|| {
+        let mut counts = BTreeMap::<String, usize>::new();
+        let mut count = |word: &str| *counts.entry(word.to_string()).or_default() += 1;
+        squeezed(&every_file(), &Names::default(), &mut count);
+        let kept: BTreeSet<&str> = kept().collect();
+        let is_own = |(word, _): &(String, usize)| !kept.contains(&word[..]);
+        let mut words: Vec<_> = counts.into_iter().filter(is_own).collect();
+        words.sort_by(|(a, first), (b, second)| second.cmp(first).then_with(|| a.cmp(b)));
+        let written: BTreeSet<&str> = words.iter().map(|(word, _)| &word[..]).collect();
+        let shorts: Vec<String> = shorts(&written).take(words.len()).collect();
+        Names(words.into_iter().map(|(word, _)| word).zip(shorts).collect())
+    })
 }
 
 /// Words that stay.
 fn kept() -> impl Iterator<Item = &'static str> {
-    [LANGUAGE, BROWSER, KEYS, ARGUMENTS].into_iter().flat_map(str::split_whitespace)
+    KEPT.lines().filter(|line| !line.starts_with('#')).flat_map(str::split_whitespace)
 }
 
 /// Names of one letter, a small one only where the files have it as a word, then of a letter with a capital or a digit: what
@@ -103,11 +67,10 @@ mod tests {
     use std::format;
 
     use super::*;
-    use crate::sketch::page::squeeze::script;
 
     #[test]
     fn a_word_has_one_short_name_wherever_it_stands() {
-        let names = Names::of_pages();
+        let names = of_pages();
         assert!(names.0.len() > 800, "{}", names.0.len());
         let shorts: BTreeSet<&String> = names.0.values().collect();
         assert_eq!(shorts.len(), names.0.len());
@@ -142,7 +105,7 @@ mod tests {
     #[test]
     fn every_short_name_is_one_of_the_files_own() {
         let files = squeezed(&every_file(), &Names::default(), &mut |_| ());
-        let words = || Names::of_pages().0.keys();
+        let words = || of_pages().0.keys();
         let foreign: Vec<_> = words().filter(|word| !is_made(word, &files)).collect();
         // A machine's constants are printed.
         assert_eq!(foreign, ["MACHINE", "PLAN", "SETS", "curves", "outputs"]);

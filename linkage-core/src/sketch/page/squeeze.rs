@@ -5,28 +5,28 @@
 //! begins one of these behind a sign or at the start of a line, and divides elsewhere. Words that have a shorter equal
 //! become that, as `const` the shorter `let`, and declarations that follow each other are one.
 
+use std::collections::BTreeMap;
 use std::format;
 use std::iter::Peekable;
 use std::str::Chars;
 use std::string::String;
 use std::vec::Vec;
 
-use super::assembled::every_file;
-use super::names::Names;
+use super::page_files::every_file;
 
 /// Words of the language that others say in fewer letters.
 const EQUALS: [(&str, &str); 4] =
     [("const", "let"), ("true", "!0"), ("false", "!1"), ("undefined", "void 0")];
 
-/// Files of JavaScript, one behind the other, with the short names of a page.
-pub(super) fn script(files: &[&str]) -> String {
-    squeezed(files, Names::of_pages(), &mut |_| ())
-}
+/// The short names of words.
+#[derive(Debug, Default)]
+pub(super) struct Names(pub BTreeMap<String, String>);
 
-/// A script that runs on a page beside the page's own, with the names that everything has there.
-#[must_use]
-pub fn shortened(file: &str) -> String {
-    script(&[file])
+impl Names {
+    /// The short name of a word, or the word itself.
+    pub(super) fn short<'a>(&'a self, word: &'a str) -> &'a str {
+        self.0.get(word).map_or(word, |short| short)
+    }
 }
 
 /// Files of JavaScript with these names. Every word of theirs is told.

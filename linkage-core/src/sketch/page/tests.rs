@@ -13,10 +13,10 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::assembled::{
+use super::page_files::{
     ARITHMETIC, BEGINS, FRICTION, PARTS, RANGES, READS, SEARCH, SHOWS, SKELETON, STYLE,
 };
-use super::squeeze;
+use super::{names, squeeze};
 use crate::sketch::style::Theme;
 use amounts::amounts;
 use cases::{Case, conditions, kernels};
@@ -176,7 +176,7 @@ fn the_script_solves_for_friction_alike() {
 #[test]
 fn a_page_is_light() {
     let weight = |scripts: &[&str], styles: &[&str]| {
-        squeeze::script(scripts).len() + squeeze::style(styles).len()
+        names::script(scripts).len() + squeeze::style(styles).len()
     };
     let script = [&READS[..], &SHOWS, &BEGINS].concat();
     let least = squeeze::markup(SKELETON).len() + weight(&script, &[STYLE]);

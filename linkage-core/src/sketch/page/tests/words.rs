@@ -5,7 +5,7 @@ use std::string::ToString;
 
 use super::node;
 use crate::SolveError;
-use crate::sketch::page::assembled::{ARITHMETIC, FRICTION, READS, SEARCH};
+use crate::sketch::page::page_files::{ARITHMETIC, FRICTION, READS, SEARCH};
 
 /// A computation, and its result.
 const CASES: &[(&str, &str)] = &[
