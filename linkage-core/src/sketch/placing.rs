@@ -170,7 +170,7 @@ impl Picture<'_> {
         // In a still, only the first pose has obstacles.
         let frames: Vec<usize> = scene.frames().take(self.shown_poses()).collect();
         let wanted = match &self.options.labels {
-            None => (0..plan.points.len()).collect(),
+            None => (0..plan.points.len()).filter(|&at| !plan.points[at].is_empty()).collect(),
             Some(names) => names
                 .iter()
                 .map(|name| traces::point(plan, name))

@@ -77,10 +77,15 @@ impl PlanParts {
     }
 }
 
-/// The names of points, links and guides.
+/// The names of points, links and guides; none of a point that closes a loop where another has its name.
 pub(super) fn names(mechanism: &Mechanism) -> [Vec<String>; 3] {
+    let closings = mechanism.tracked.iter().flat_map(|tracked| &tracked.closings);
+    let met: Vec<usize> = closings.map(|closing| closing.points[1].index()).collect();
+    let points = mechanism.points.iter().enumerate();
     [
-        mechanism.points.iter().map(|point| text(&point.name)).collect(),
+        points
+            .map(|(at, of)| if met.contains(&at) { String::new() } else { text(&of.name) })
+            .collect(),
         mechanism.links.iter().map(|link| text(&link.name)).collect(),
         mechanism.guides.iter().map(|guide| text(&guide.name)).collect(),
     ]
