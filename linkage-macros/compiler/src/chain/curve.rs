@@ -198,8 +198,18 @@ fn between(points: &[[f64; 2]], x: f64) -> f64 {
 
 /// The powers of the Chebyshev sum of a function on −1…1.
 fn powers(of: impl Fn(f64) -> f64, degree: usize) -> Vec<f64> {
-    let angle = |node: usize| PI * (node as f64 + 0.5) / NODES as f64;
-    let values: Vec<_> = (0..NODES).map(|node| of(angle(node).cos())).collect();
+    let values: Vec<_> = (0..NODES).map(|node| of(node_angle(node, NODES).cos())).collect();
+    powers_through(&values, degree)
+}
+
+/// The angle whose cosine is one of so many nodes of Chebyshev's.
+pub(super) fn node_angle(node: usize, count: usize) -> f64 {
+    PI * (node as f64 + 0.5) / count as f64
+}
+
+/// The powers of the Chebyshev sum with these values at his nodes, up to a degree below their count.
+pub(super) fn powers_through(values: &[f64], degree: usize) -> Vec<f64> {
+    let count = values.len();
     let mut sum = vec![0.0; degree + 1];
     // The Chebyshev polynomials Tₖ₋₁ and Tₖ in powers.
     let (mut before, mut now) = (vec![0.0, 1.0], vec![1.0]);
@@ -207,9 +217,9 @@ fn powers(of: impl Fn(f64) -> f64, degree: usize) -> Vec<f64> {
         let term: f64 = values
             .iter()
             .enumerate()
-            .map(|(node, value)| value * (k as f64 * angle(node)).cos())
+            .map(|(node, value)| value * (k as f64 * node_angle(node, count)).cos())
             .sum();
-        let term = term * if k == 0 { 1.0 } else { 2.0 } / NODES as f64;
+        let term = term * if k == 0 { 1.0 } else { 2.0 } / count as f64;
         now.iter().enumerate().for_each(|(power, factor)| sum[power] += term * factor);
         // Tₖ₊₁ = 2 u Tₖ − Tₖ₋₁, with T₋₁ = T₁.
         let mut next = vec![0.0; k + 2];

@@ -82,11 +82,11 @@ pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
         match cutting::steps(machine, &known, &group) {
             Some(found) => steps.extend(found),
             None => {
-                let options = options::options(machine, &known, &group);
-                let follows_no_fit = |step: &Found| !matches!(step, Found::Tracked(_));
-                if !steps.iter().all(follows_no_fit) {
+                // Nothing is followed behind such a group.
+                if steps.iter().any(|step| matches!(step, Found::Tracked(_))) {
                     return Err(vec![Trouble::Undecided { bodies: group }]);
                 }
+                let options = options::options(machine, &known, &group);
                 if options.is_empty() {
                     let found = tracked::tracked(machine, &steps, &known, &group);
                     let found = found.map_err(|cause| vec![untracked(cause, &group)])?;

@@ -5,10 +5,8 @@ use super::cutting::{Found, SearchedGroup};
 use super::machine::{Driven, InputRates, Machine};
 use super::pose::{PoseChanges, Posed};
 
-/// The most poses each way at full steps.
-const POSES: usize = 60;
-/// The parts of half a turn, or of the machine's size, that steps are at most.
-pub(super) const PARTS: usize = POSES;
+/// The most poses each way at full steps, of half a turn or the machine's size.
+pub(super) const POSES: usize = 60;
 /// The least count of poses that show the shape of a motion; shorter ones are followed once more in
 /// smaller steps.
 const FEWEST: usize = 40;

@@ -24,7 +24,7 @@ use crate::equations::symbol::{GraphBuilder, Sym, Vector};
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::graph::Check;
-use crate::model::mechanism::{AngleSum, Tracked, TrackedId};
+use crate::model::mechanism::{Tracked, TrackedId};
 
 /// The count of Newton's steps.
 const STEPS: usize = 4;
@@ -230,13 +230,15 @@ fn from_drawing<'s>(resting: &Kinematics<'s>, tracked: &Tracked) -> Sym<'s> {
     if !tracked.is_turned {
         return resting.jet(&tracked.drive.rest).value - number(builder, tracked.drawn);
     }
-    let AngleSum { links, rest } = &tracked.drive;
-    let drive = AngleSum { links: links.clone(), rest: rest.clone() };
-    let Direction { u, .. } = resting.turned(Direction::ground(builder), &drive);
-    let (sin, cos) = tracked.drawn.sin_cos();
-    let back = Vector { x: number(builder, cos), y: number(builder, -sin) };
-    let u = u.turned(back);
+    let Direction { u, .. } = resting.turned(Direction::ground(builder), &tracked.drive);
+    let u = u.turned(back_by(builder, tracked.drawn));
     u.y.apply2(Function::Atan2, u.x)
+}
+
+/// The direction that turns another one back by an angle.
+fn back_by<'s>(builder: &'s GraphBuilder<'s>, angle: f64) -> Vector<'s> {
+    let (sin, cos) = angle.sin_cos();
+    Vector { x: number(builder, cos), y: number(builder, -sin) }
 }
 
 /// A matrix whose columns were made square to each other: column k of it is the sum of `square` columns j with the factors
@@ -331,8 +333,7 @@ pub(super) fn inside<'s>(kinematics: &Kinematics<'s>, tracked: &Tracked) -> Opti
     }
     // The cosine of the angle from the middle is that of half the stretch at both ends.
     let drive = kinematics.turned(Direction::ground(builder), &tracked.drive);
-    let (sin, cos) = ((from + to) / 2.0).sin_cos();
-    let back = Vector { x: number(builder, cos), y: number(builder, -sin) };
+    let back = back_by(builder, (from + to) / 2.0);
     let (Vector { x, y }, omega, alpha) = (drive.u.turned(back), drive.omega, drive.alpha);
     Some(Jet {
         value: x - number(builder, ((to - from) / 2.0).cos()),

@@ -1,11 +1,10 @@
 //! Fits of all unknowns over the drive, piece by piece from the drawing outwards, each on a stretch on which it is
 //! certified.
 
-use std::f64::consts::PI;
-
 use super::LIMIT;
 use super::follow::{GroupMotion, Pose, beside};
 use super::loop_equations::{System, certificate};
+use crate::chain::curve::{node_angle, powers_through};
 use crate::chain::cutting::TrackedGroup;
 use crate::chain::fit::Piece;
 
@@ -84,14 +83,13 @@ impl Pieces<'_, '_> {
     /// The polynomials through the roots at Chebyshev's nodes, if they are certified.
     fn piece(&self, ends: [f64; 2]) -> Option<Piece> {
         let nodes = DEGREE + 1;
-        let angle = |node: usize| PI * (node as f64 + 0.5) / nodes as f64;
         let drive = |place: f64| (ends[0] + ends[1] + (ends[1] - ends[0]) * place) / 2.0;
-        let roots = (0..nodes).map(|node| self.root(drive(angle(node).cos())));
+        let roots = (0..nodes).map(|node| self.root(drive(node_angle(node, nodes).cos())));
         let roots: Vec<Pose<'_>> = roots.collect::<Option<_>>()?;
-        let unit = |is_angle: bool| if is_angle { 1.0 } else { self.system.size };
-        let unknowns = self.system.angles().into_iter().enumerate();
-        let powers = unknowns.map(|(unknown, is_angle)| {
-            powers(|node| roots[node].unknowns[unknown] * unit(is_angle), angle)
+        let units = self.system.units().into_iter().enumerate();
+        let powers = units.map(|(unknown, unit)| {
+            let values: Vec<_> = roots.iter().map(|root| root.unknowns[unknown] * unit).collect();
+            powers_through(&values, DEGREE)
         });
         let piece = Piece { ends, powers: powers.collect() };
         let is_well = |part: usize| {
@@ -115,29 +113,9 @@ impl Pieces<'_, '_> {
 
     /// The product h at a fit.
     fn product(&self, piece: &Piece, drive: f64) -> Option<f64> {
-        let unit = |is_angle: bool| if is_angle { 1.0 } else { self.system.size };
-        let unknowns = piece.at(drive).zip(self.system.angles());
-        let unknowns: Vec<_> = unknowns.map(|(at, is_angle)| at / unit(is_angle)).collect();
+        let unknowns = piece.at(drive).zip(self.system.units());
+        let unknowns: Vec<_> = unknowns.map(|(at, unit)| at / unit).collect();
         let posed = self.system.posed(drive)?;
         certificate(&self.system.at(&posed, drive, &unknowns)?, self.bends)
     }
-}
-
-/// The powers of the polynomial with these values at Chebyshev's nodes, whose cosines are the places.
-fn powers(of: impl Fn(usize) -> f64, angle: impl Fn(usize) -> f64) -> Vec<f64> {
-    let nodes = DEGREE + 1;
-    let mut sum = vec![0.0; nodes];
-    // The Chebyshev polynomials Tₖ₋₁ and Tₖ in powers.
-    let (mut before, mut now) = (vec![0.0, 1.0], vec![1.0]);
-    for k in 0..nodes {
-        let term: f64 = (0..nodes).map(|node| of(node) * (k as f64 * angle(node)).cos()).sum();
-        let term = term * if k == 0 { 1.0 } else { 2.0 } / nodes as f64;
-        now.iter().enumerate().for_each(|(power, factor)| sum[power] += term * factor);
-        // Tₖ₊₁ = 2 u Tₖ − Tₖ₋₁, with T₋₁ = T₁.
-        let mut next = vec![0.0; k + 2];
-        now.iter().enumerate().for_each(|(power, factor)| next[power + 1] += 2.0 * factor);
-        before.iter().enumerate().for_each(|(power, factor)| next[power] -= factor);
-        (before, now) = (now, next);
-    }
-    sum
 }

@@ -61,7 +61,7 @@ pub(super) fn motion<'m>(system: &System<'m>) -> Option<GroupMotion<'m>> {
     if worst * REGULAR > 1.0 {
         return None;
     }
-    let step = system.way.step * crate::chain::trace::PARTS as f64 / POSES;
+    let step = system.way.step * crate::chain::trace::POSES as f64 / POSES;
     let mut poses = followed(system, &drawing, -step);
     poses.reverse();
     poses.push(drawing.clone());

@@ -79,6 +79,12 @@ impl<'m> System<'m> {
         unknowns.map(|step| matches!(step, Found::Crank { .. })).collect()
     }
 
+    /// By unknown, the unit in which it counts: a radian or the size.
+    pub(super) fn units(&self) -> Vec<f64> {
+        let angles = self.angles().into_iter();
+        angles.map(|is_angle| if is_angle { 1.0 } else { self.size }).collect()
+    }
+
     /// The bodies before the group, at a drive from the drawing.
     pub(super) fn posed(&self, drive: f64) -> Option<Posed<'m>> {
         let mut posed = Posed::new(self.machine);
