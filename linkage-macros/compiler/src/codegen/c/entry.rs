@@ -14,6 +14,10 @@ use crate::lower::routine::{Bound, Compute, Finite, FinitenessChecks, Routine};
 use crate::lower::used::Asks;
 use crate::model::mechanism::{ParamKind, Sign};
 
+/// The end of a diagnosis that something has refused.
+pub(super) const REFUSED: &str =
+    "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
+
 impl In<'_> {
     pub(super) fn core_name(self, entry: &Entry) -> String {
         format!("{}_try_{}{}", self.stem, entry.name(), self.ending())
@@ -105,12 +109,7 @@ impl In<'_> {
         let mut body = format!("LinkageWhy why = linkage_why({is_single});\n");
         body += &self.earlier_results(routine, *stage);
         body += &format!("{};\n", self.result(entry.result, "found"));
-        let checked = match self.named_given(&entry.given, &asked.given, &mut body) {
-            0 => "NULL, 0".to_string(),
-            count => format!("given, {count}"),
-        };
-        body += &format!("linkage_given_finite(&why, {checked});\n");
-        body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
+        let checked = self.given_finite(&entry.given, &asked.given, &mut body);
         let found = Destination::Local("found");
         let call = self.call(routine, *stage, Asks::Diagnoses, &entry.given, found);
         body += &format!("{call};\n");
@@ -118,7 +117,7 @@ impl In<'_> {
         if entry.point.row().is_known_in_part {
             body += &self.in_part(entry, routine, *stage);
         }
-        body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
+        body += REFUSED;
         body += &self.copied(entry.result, "found", "to");
         body += "return LINKAGE_OK;\n";
         *to += &format!(
@@ -156,13 +155,23 @@ impl In<'_> {
         )
     }
 
-    /// The list of what is given that has to be finite, and its length.
-    pub(super) fn named_given(
+    /// The test that what is given is finite, and the list of it with its length, as the run-time takes it.
+    pub(super) fn given_finite(
         self,
         given: &[ArgumentKind],
         asked: &[Node],
         to: &mut String,
-    ) -> usize {
+    ) -> String {
+        let list = match self.named_given(given, asked, to) {
+            0 => "NULL, 0".to_string(),
+            count => format!("given, {count}"),
+        };
+        *to += &format!("linkage_given_finite(&why, {list});\n{REFUSED}");
+        list
+    }
+
+    /// The list of what is given that has to be finite, and its length.
+    fn named_given(self, given: &[ArgumentKind], asked: &[Node], to: &mut String) -> usize {
         let named = |&node: &Node| {
             let value = self.leaf(given, node)?;
             Some((value, label(self.mechanism, node)?))

@@ -1,6 +1,8 @@
 //! `export assemblies;` in C: a function that lists all assemblies, one that returns the solver of an assembly, and the
 //! run-time of lists.
 
+use std::sync::LazyLock;
+
 use linkage_assemblies::{BodyPin, HungBar, PinnedGroup};
 
 use super::In;
@@ -8,12 +10,13 @@ use super::c_identifiers::{
     PARAMETERS as MECHANISM, Width, arguments, file_stem, snake_case, suffixed,
 };
 use super::c_names::param;
+use super::entry::REFUSED;
 use super::header::comment;
 use super::provenance::Provenance;
-use super::public_function::{mode_tests, pointer_test};
-use super::run_time::fnv;
+use super::public_function::{GivenInC, mode_tests, pointer_test};
+use super::run_time::{OWN_HASH, hash_in_c};
 use super::two_paths::{Destination, indented};
-use crate::codegen::arguments::{Form, Signatures};
+use crate::codegen::arguments::Signatures;
 use crate::codegen::identifiers::text;
 use crate::codegen::listing::Listing;
 use crate::lower::used::Asks;
@@ -42,16 +45,15 @@ pub(crate) fn generate(
         list.listed(&mut prototypes, &mut functions);
         list.with(&mut prototypes, &mut functions);
     }
-    let own = [&mechanism.name, &any.mechanism.name].map(|name| file_stem(&text(name)));
-    let [file, other] = [file_stem(&format!("{solver}Assemblies")), own[1].clone()];
+    let file = file_stem(&format!("{solver}Assemblies"));
+    let [own, other] = [&mechanism.name, &any.mechanism.name].map(|name| file_stem(&text(name)));
     let header = format!(
         "/* The assemblies of {solver}, generated from its declaration in Rust; do not edit. */\n\
          #ifndef {guard}_H\n#define {guard}_H\n\n\
-         #include \"{}.h\"\n#include \"{other}.h\"\n#include \"linkage_assemblies.h\"\n\n\
+         #include \"{own}.h\"\n#include \"{other}.h\"\n#include \"linkage_assemblies.h\"\n\n\
          /* The most assemblies, whatever the lengths are. */\n#define {}_ASSEMBLIES {}\n\n\
          #ifndef LINKAGE_NO_DOUBLE\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n{prototypes}\n\
          #ifdef __cplusplus\n}}\n#endif\n\n#endif /* LINKAGE_NO_DOUBLE */\n\n#endif /* {guard}_H */\n",
-        own[0],
         stem.to_uppercase(),
         2 * listing.degree.half,
         guard = file.to_uppercase(),
@@ -62,22 +64,24 @@ pub(crate) fn generate(
         condition(),
         kind(listing),
     );
-    let own = [(format!("{file}.h"), header), (format!("{file}.c"), source)];
-    let own = own.map(|(name, text)| (name, provenance.prefix.put_into(&text)));
+    let files = [(format!("{file}.h"), header), (format!("{file}.c"), source)];
+    let files = files.map(|(name, text)| (name, provenance.prefix.put_into(&text)));
     let run_time =
         [("linkage_assemblies.h", run_time_header()), ("linkage_assemblies.c", run_time())];
     let run_time = run_time.map(|(name, text)| {
         (provenance.prefix.in_front_of(name), provenance.prefix.put_into(&text))
     });
-    own.into_iter().chain(run_time).collect()
+    files.into_iter().chain(run_time).collect()
 }
 
-/// The word in place of which the hash of the lists' run-time stands.
-const OWN_HASH: &str = "OWN_HASH";
+/// A hash of the lists' run-time, which is none of the other run-time's.
+static HASH: LazyLock<String> = LazyLock::new(|| {
+    hash_in_c(&[include_str!("run/assemblies/types.h"), &plain_run_time()].concat())
+});
 
 /// The text of `linkage_assemblies.h`.
 fn run_time_header() -> String {
-    include_str!("run/assemblies/types.h").replace(OWN_HASH, &hash())
+    include_str!("run/assemblies/types.h").replace(OWN_HASH, &HASH)
 }
 
 /// The text of `linkage_assemblies.c`. A closure is written once, for discs and for complex numbers.
@@ -102,17 +106,11 @@ fn plain_run_time() -> String {
     parts.concat()
 }
 
-/// 32 bits of a hash of its texts.
-fn hash() -> String {
-    let hash = fnv([include_str!("run/assemblies/types.h"), &plain_run_time()].concat().bytes());
-    format!("0x{:08x}u", (hash >> 32) ^ (hash & 0xffff_ffff))
-}
-
 /// The lines by which a source asks for this text of the run-time and no other.
 fn condition() -> String {
     let condition =
         include_str!("run/condition.h").replace("LINKAGE_RUN_TIME", "LINKAGE_LISTS_HASH");
-    condition.replace("linkage_run.h", "linkage_assemblies.h").replace(OWN_HASH, &hash())
+    condition.replace("linkage_run.h", "linkage_assemblies.h").replace(OWN_HASH, &HASH)
 }
 
 /// The kind of the group, as the run-time reads it.
@@ -165,33 +163,27 @@ impl List<'_> {
             "LinkageError *error",
         ];
         list.extend(beside.map(str::to_string));
+        let is_single = !to.ending().is_empty();
         let stage = routine.stages.first().expect("a list of numbers has one stage");
         let count = stage.sinks.len();
         let mut body = format!(
             "LinkageWhy why = linkage_why({});\n{} found[{count}];\n",
-            usize::from(!to.ending().is_empty()),
+            usize::from(is_single),
             to.real()
         );
-        let wide = !to.ending().is_empty();
-        if wide {
+        if is_single {
             body += &format!("double numbers[{count}];\nint at;\n");
         }
-        let given = match to.named_given(&routine.given, &routine.reads, &mut body) {
-            0 => "NULL, 0".to_string(),
-            count => format!("given, {count}"),
-        };
-        body += &format!("linkage_given_finite(&why, {given});\n");
-        body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
+        to.given_finite(&routine.given, &routine.reads, &mut body);
         let call =
             to.call(routine, 0, Asks::Diagnoses, &routine.given, Destination::Local("found"));
-        body += &format!("{call};\n");
-        body += "if (why.status != LINKAGE_OK) {\nreturn linkage_refused(&why, error);\n}\n";
-        if wide {
+        body += &format!("{call};\n{REFUSED}");
+        if is_single {
             body += &format!(
                 "for (at = 0; at < {count}; at++) {{\nnumbers[at] = (double)found[at];\n}}\n"
             );
         }
-        let numbers = if wide { "numbers" } else { "found" };
+        let numbers = if is_single { "numbers" } else { "found" };
         body += &format!(
             "linkage_list_assemblies(&kind, {numbers}, budget, assemblies, list);\nreturn LINKAGE_OK;\n"
         );
@@ -210,31 +202,16 @@ impl List<'_> {
         let others = given.names().iter().map(text).chain(["budget", "list"].map(str::to_string));
         let all = arguments(&to.mechanism.name, [MECHANISM, "assemblies", "error"], others);
         let [budget, list] = [0, 1].map(|at| &all[3 + given.names().len() + at]);
-        let (mut declared, mut handed) = (Vec::new(), Vec::new());
-        let mut pointers = vec![("assemblies", "assemblies"), (list, "list")];
-        let labels: Vec<String> = given.names().iter().map(text).collect();
-        if to.has_params() {
-            declared.push(format!("const {} *{}", to.params_type(), all[0]));
-            handed.push(all[0].clone());
-        }
-        for (((_, form), name), label) in given.parts().zip(&all[3..]).zip(&labels) {
-            declared.push(to.declare(&form, name));
-            handed.push(name.clone());
-            if !matches!(form, Form::Number) {
-                pointers.push((name, label));
-            }
-        }
-        if to.has_params() {
-            pointers.push((&all[0], MECHANISM));
-        }
+        let GivenInC { mut declared, names: mut handed, pointers } = GivenInC::of(to, &given, &all);
         let most = format!("{}_ASSEMBLIES", to.stem.to_uppercase());
         declared.push(format!("LinkageBudget {budget}"));
         declared.push(format!("LinkageAssembly assemblies[{most}]"));
         declared.push(format!("LinkageAssemblies *{list}"));
         declared.push("LinkageError *error".to_string());
         handed.extend([budget.as_str(), "assemblies", list, "error"].map(str::to_string));
-        let mut body: String =
-            pointers.iter().map(|(name, label)| pointer_test(name, label)).collect();
+        let answers = [pointer_test("assemblies", "assemblies"), pointer_test(list, "list")];
+        let given = pointers.iter().map(|(name, label)| pointer_test(name, label));
+        let mut body: String = answers.into_iter().chain(given).collect();
         if to.has_params() {
             body += &mode_tests(to.mechanism, &all[0]);
         }

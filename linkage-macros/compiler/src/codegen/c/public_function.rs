@@ -5,7 +5,7 @@ use super::In;
 use super::c_identifiers::{PARAMETERS as MECHANISM, arguments, function};
 use super::c_names::{is_array, param, quoted};
 use super::two_paths::indented;
-use crate::codegen::arguments::Form;
+use crate::codegen::arguments::{Arguments, Form};
 use crate::codegen::identifiers::text;
 use crate::interface::EntryId;
 use crate::interface::entries::Entry;
@@ -44,6 +44,37 @@ impl In<'_> {
     }
 }
 
+/// The arguments by which a public function takes what it is given, the parameters first where there are any.
+pub(super) struct GivenInC {
+    /// With their types.
+    pub declared: Vec<String>,
+    pub names: Vec<String>,
+    /// Pointers among them, and what an error calls them: the parameters last.
+    pub pointers: Vec<(String, String)>,
+}
+
+impl GivenInC {
+    /// Those with these names: the parameters', two of others, and those of what is given.
+    pub(super) fn of(to: In<'_>, given: &Arguments<'_>, all: &[String]) -> Self {
+        let (mut declared, mut names, mut pointers) = (Vec::new(), Vec::new(), Vec::new());
+        if to.has_params() {
+            declared.push(format!("const {} *{}", to.params_type(), all[0]));
+            names.push(all[0].clone());
+        }
+        for ((argument, form), name) in given.parts().zip(&all[3..]) {
+            declared.push(to.declare(&form, name));
+            names.push(name.clone());
+            if !matches!(form, Form::Number) {
+                pointers.push((name.clone(), text(argument)));
+            }
+        }
+        if to.has_params() {
+            pointers.push((all[0].clone(), MECHANISM.to_string()));
+        }
+        Self { declared, names, pointers }
+    }
+}
+
 /// A public function: its arguments, and names that are none of theirs.
 struct PublicFunction<'a> {
     to: In<'a>,
@@ -69,22 +100,8 @@ impl<'a> PublicFunction<'a> {
         let count = 3 + given.names().len();
         let others = given.names().iter().map(text).chain(own);
         let all = arguments(&to.mechanism.name, [MECHANISM, answer, "error"], others);
-        let (mut declared, mut names) = (Vec::new(), Vec::new());
-        let mut pointers = vec![(answer.to_string(), answer.to_string())];
-        if to.has_params() {
-            declared.push(format!("const {} *{}", to.params_type(), all[0]));
-            names.push(all[0].clone());
-        }
-        for ((argument, form), name) in given.parts().zip(&all[3..count]) {
-            declared.push(to.declare(&form, name));
-            names.push(name.clone());
-            if !matches!(form, Form::Number) {
-                pointers.push((name.clone(), text(argument)));
-            }
-        }
-        if to.has_params() {
-            pointers.push((all[0].clone(), MECHANISM.to_string()));
-        }
+        let GivenInC { mut declared, names, mut pointers } = GivenInC::of(to, &given, &all);
+        pointers.insert(0, (answer.to_string(), answer.to_string()));
         declared.push(to.returned(entry.result, answer));
         declared.push("LinkageError *error".to_string());
         let own = [0, 1, 2, 3].map(|at| all[count + at].clone());

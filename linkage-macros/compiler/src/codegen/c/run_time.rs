@@ -9,14 +9,19 @@ use super::c_identifiers::Width;
 use super::header::SHARED;
 
 /// The word in place of which the hash of the run-time stands.
-const OWN_HASH: &str = "OWN_HASH";
+pub(super) const OWN_HASH: &str = "OWN_HASH";
 
 /// 32 bits of a hash of all its texts, by which a source knows the run-time that it was printed with.
 static HASH: LazyLock<String> = LazyLock::new(|| {
     let all = [plain_header(), plain_source().to_string(), plain_root(), plain_friction()];
-    let hash = fnv(all.concat().bytes());
-    format!("0x{:08x}u", (hash >> 32) ^ (hash & 0xffff_ffff))
+    hash_in_c(&all.concat())
 });
+
+/// 32 bits of a hash of a text, as a number in C.
+pub(super) fn hash_in_c(text: &str) -> String {
+    let hash = fnv(text.bytes());
+    format!("0x{:08x}u", (hash >> 32) ^ (hash & 0xffff_ffff))
+}
 
 /// FNV-1a: G. Fowler, L. C. Noll and K.-P. Vo.
 pub(super) fn fnv(bytes: impl Iterator<Item = u8>) -> u64 {
