@@ -3,6 +3,9 @@
 //! The run-time of lists is written once more in C. Its sines, arc tangents and roots are those of <math.h>, whose last digits
 //! are not those of Rust, so that numbers are compared by what both lists prove of them.
 
+#[allow(unreachable_pub, reason = "other tests have it in the interface of their crate")]
+#[path = "../../../tests/src/random.rs"]
+mod random;
 #[path = "../../../tests/skipped.rs"]
 mod skipped;
 
@@ -12,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use linkage_core::assemblies::{Budget, List, Outcome};
-use linkage_core::mechanism;
+use random::{Random, cases};
 use skipped::skipped;
 
 include!("data/triad.rs");
@@ -51,28 +54,16 @@ fn compiled(folder: &Path, compiler: &str, arguments: &[&str]) -> Option<()> {
     Some(())
 }
 
-/// SplitMix64, as in the other tests.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
-/// `LINKAGE_WHOLE=1` takes ten thousand.
+/// The count of random machines.
 fn count() -> usize {
-    if std::env::var_os("LINKAGE_WHOLE").is_some() { 10_000 } else { 400 }
+    cases(400, 10_000)
 }
 
 /// Machines whose dimensions are `f32`, so that both widths have the same; an input, then the parameters.
 fn machines() -> Vec<[f64; 11]> {
-    let mut random = Random(60);
+    let mut random = Random::new(60);
     let mut any = || {
-        let mut draw = |low: f64, high: f64| f64::from((low + (high - low) * random.unit()) as f32);
+        let mut draw = |low, high| random.between(low, high);
         let [bx, by, cx, cy] = [(); 4].map(|()| draw(-2.0, 3.0));
         let [first, second, third, side] = [(); 4].map(|()| draw(0.3, 3.0));
         [

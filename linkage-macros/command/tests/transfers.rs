@@ -2,6 +2,9 @@
 
 #[path = "transfers/caller.rs"]
 mod caller;
+#[allow(unreachable_pub, reason = "other tests have it in the interface of their crate")]
+#[path = "../../../tests/src/random.rs"]
+mod random;
 #[path = "../../../tests/skipped.rs"]
 mod skipped;
 
@@ -13,6 +16,7 @@ use std::process::{Command, Output, Stdio};
 use caller::source;
 use linkage_core::private::{CarriesOver, Solver};
 use linkage_core::{Real, Record, Transfer, TransferError, mechanism};
+use random::Random;
 use skipped::skipped;
 
 include!("data/both_ways.rs");
@@ -75,20 +79,8 @@ fn program(name: &str, more: &[&str]) -> Option<PathBuf> {
 
 const WITHOUT_DOUBLE: &str = "-DLINKAGE_NO_DOUBLE";
 
-/// SplitMix64, as in the other tests.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn around(&mut self, center: f64, reach: f64) -> f64 {
-        center + reach * (2.0 * self.unit() - 1.0)
-    }
+fn around(random: &mut Random, center: f64, reach: f64) -> f64 {
+    center + reach * (2.0 * random.unit() - 1.0)
 }
 
 const POSES: usize = 1_000;
@@ -108,12 +100,12 @@ where
     B::Input: Record<Number = T, Array = [T; N]>,
     A::Position: Record<Number = T>,
 {
-    let mut random = Random(57);
+    let mut random = Random::new(57);
     let (mut given, mut told, mut carried) = (Vec::new(), Vec::new(), 0);
     for pose in 0..POSES {
         let share = if pose % 2 == 0 { 0.1 } else { 1.0 };
         let mut list =
-            |center: [f64; N], reach: f64| center.map(|at| T::num(random.around(at, reach)));
+            |center: [f64; N], reach: f64| center.map(|at| T::num(around(&mut random, at, reach)));
         let q = list(drawn, share * reach);
         let [rates, accelerations, efforts] = [2.0, 3.0, 4.0].map(|reach| list([0.0; N], reach));
         let inertia: [[T; N]; N] = std::array::from_fn(|_| list([1.0; N], 1.0));

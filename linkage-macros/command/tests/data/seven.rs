@@ -1,4 +1,4 @@
-mechanism! {
+linkage_core::mechanism! {
     /// Seven links on the pin of a crank, two dyads behind the unknown: ten assemblies where it is drawn, of at most fourteen.
     pub struct Seven {
         input t: angle;

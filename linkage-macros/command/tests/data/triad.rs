@@ -1,4 +1,4 @@
-mechanism! {
+linkage_core::mechanism! {
     /// A plate with the pins P, Q and R, on bars from A, B and C. A is on a crank, for an input.
     pub struct Triad {
         input t: angle;
@@ -13,6 +13,6 @@ mechanism! {
         rrr PQ(P), BQ(B) -> Q { lengths: (side, second), mode: left }
         point R on PQ at (u, v);
         solve phi { distance(R, C) = third, mode: rising }
-        output P, Q, R;
+        output P, Q, R, plate = PQ.angle;
     }
 }
