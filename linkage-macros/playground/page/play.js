@@ -29,9 +29,13 @@ const bytesOf = (text) => {
   }
   return bytes.subarray(0, length);
 };
-const inflated = async (text) => {
-  const zipped = bytesOf(text);
-  return new Response(new Blob([zipped]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+/// The compiler, by the program that unpacks it: the head of an archive says how much it holds.
+const unpacked = async () => {
+  const packed = bytesOf($("#wasm").textContent), program = await WebAssembly.instantiate(bytesOf($("#unpack").textContent));
+  const { memory, room, unpacked } = program.instance.exports, at = room(packed.length);
+  new Uint8Array(memory.buffer, at, packed.length).set(packed);
+  const found = unpacked(at, packed.length);
+  return new Uint8Array(memory.buffer, found, new DataView(packed.buffer).getUint32(5, true));
 };
 
 /// Milliseconds after which a text is given up.
@@ -361,6 +365,6 @@ addEventListener("hashchange", async () => {
   const text = await take();
   if (text !== null) set(text, "address");
 });
-module = await WebAssembly.compile(await inflated($("#wasm").textContent));
+module = await WebAssembly.compile(await unpacked());
 begin();
 check();

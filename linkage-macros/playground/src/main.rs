@@ -4,13 +4,13 @@
 //! that target is missing it says so, and writes nothing.
 
 use std::error::Error;
-use std::num::NonZeroU64;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
 use linkage_core::sketch::shortened;
-use zopfli::{Format, Options};
+use lzma_rust2::{LzmaOptions, LzmaWriter};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -26,34 +26,35 @@ const MACHINES: [(&str, &str); 6] = [
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = env::args().nth(1).map_or_else(|| PathBuf::from("target/play.html"), PathBuf::from);
-    let Some(wasm) = built()? else {
+    let Some([wasm, unpack]) = built()? else {
         println!("the playground is left out: `rustup target add {TARGET}` installs what it needs");
         return Ok(());
     };
-    let (wasm, zipped) = (wasm.len(), in_letters(&zipped(&wasm)?));
+    let (wasm, packed) = (wasm.len(), in_letters(&packed(&wasm)?));
     let machines = serde_json::to_string(&MACHINES)?;
     let script = include_str!("../page/play.js").replace("{{machines}}", &machines);
     let script = script.replace("{{move}}", include_str!("../page/move.js"));
     let page = filled(&[
         ("style", include_str!("../page/play.css")),
         ("worker", include_str!("../page/worker.js")),
-        ("wasm", &zipped),
+        ("unpack", &in_letters(&unpack)),
+        ("wasm", &packed),
         ("moved", &shortened(include_str!("../page/moved.js"))),
         // Only texts hold what would end the element, and there a backslash changes nothing.
         ("script", &script.replace("</", "<\\/")),
     ]);
     fs::write(&path, &page)?;
     println!(
-        "{}: {} bytes, of them {} of the compiler, {wasm} unzipped",
+        "{}: {} bytes, of them {} of the compiler, {wasm} unpacked",
         path.display(),
         page.len(),
-        zipped.len()
+        packed.len()
     );
     Ok(())
 }
 
-/// The compiler for a browser; none where its target is not installed.
-fn built() -> Result<Option<Vec<u8>>, Box<dyn Error>> {
+/// The compiler for a browser, and what unpacks it there; none where their target is not installed.
+fn built() -> Result<Option<[Vec<u8>; 2]>, Box<dyn Error>> {
     let sysroot = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
         .args(["--print", "sysroot"])
         .output()?;
@@ -63,7 +64,16 @@ fn built() -> Result<Option<Vec<u8>>, Box<dyn Error>> {
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/web");
     let status = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["build", "--lib", "-p", "linkage-playground", "--profile", "web"])
+        .args([
+            "build",
+            "--lib",
+            "-p",
+            "linkage-playground",
+            "-p",
+            "linkage-unpack",
+            "--profile",
+            "web",
+        ])
         .args(["--target", TARGET, "--target-dir"])
         .arg(&folder)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -71,7 +81,8 @@ fn built() -> Result<Option<Vec<u8>>, Box<dyn Error>> {
     if !status.success() {
         return Err("the compiler could not be built for a browser".into());
     }
-    Ok(Some(fs::read(folder.join(TARGET).join("web/linkage_playground.wasm"))?))
+    let read = |name: &str| fs::read(folder.join(TARGET).join("web").join(name));
+    Ok(Some([read("linkage_playground.wasm")?, read("linkage_unpack.wasm")?]))
 }
 
 /// The skeleton with these texts in its gaps.
@@ -102,11 +113,17 @@ fn in_letters(bytes: &[u8]) -> String {
     letters
 }
 
-/// The least archive that some rounds find: each takes seconds, and the browser has to fetch it once.
-fn zipped(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
-    let options =
-        Options { iteration_count: NonZeroU64::MIN.saturating_add(4), ..Options::default() };
-    let mut zipped = Vec::new();
-    zopfli::compress(options, Format::Gzip, bytes, &mut zipped)?;
-    Ok(zipped)
+/// An archive in the format of `.lzma`, a quarter smaller than what browsers unpack by themselves: like pieces of a compiler lie far
+/// apart.
+fn packed(bytes: &[u8]) -> std::io::Result<Vec<u8>> {
+    let options = LzmaOptions {
+        dict_size: 4 << 20,
+        lc: 4,
+        pb: 0,
+        nice_len: LzmaOptions::NICE_LEN_MAX,
+        ..LzmaOptions::with_preset(9)
+    };
+    let mut writer = LzmaWriter::new_use_header(Vec::new(), &options, Some(bytes.len() as u64))?;
+    writer.write_all(bytes)?;
+    writer.finish()
 }
