@@ -53,7 +53,7 @@ pub(crate) struct Piece {
 }
 
 impl Following {
-    pub(super) fn at(&self, drive: f64) -> f64 {
+    pub(crate) fn at(&self, drive: f64) -> f64 {
         let x = drive - self.middle;
         let smooth = match &self.terms {
             Terms::Turning { center, reach, even, odd, turns } => {

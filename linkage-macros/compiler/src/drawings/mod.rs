@@ -21,6 +21,7 @@ mod full_turns;
 mod guides_through_pins;
 mod held_plates;
 mod hidden_names;
+mod interval_ends;
 pub(crate) mod lorry;
 mod machine;
 mod named_expressions;

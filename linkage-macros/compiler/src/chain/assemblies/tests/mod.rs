@@ -1,5 +1,6 @@
 //! Lists of assemblies against other ways to count them.
 
+mod nearest;
 mod numbers;
 mod special;
 mod trusses;
