@@ -165,6 +165,16 @@ fn two_orders_of_bars_have_one_count() -> Result<(), SolveError> {
     Ok(())
 }
 
+/// `cargo test --release --test assemblies -- --ignored` takes a million.
+#[test]
+#[ignore = "on request: minutes even if optimised"]
+fn a_million_triads_have_one_count_by_two_orders_of_their_bars() -> Result<(), SolveError> {
+    let mut random = Random::new(10);
+    let any = compared(1_000_000, || random.between(0.0, 1.0))?;
+    assert!(any.differing == 0 && any.not_proved * 5000 <= 1_000_000, "{any:?}");
+    Ok(())
+}
+
 /// A machine in `f32` has the list of the same numbers in `f64`, to the last bit, and its solvers answer: with the pose
 /// of their own assembly, and no other.
 #[test]
