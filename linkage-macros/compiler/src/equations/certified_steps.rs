@@ -16,6 +16,8 @@
 //! L. V. Kantorovich and G. P. Akilov, Functional Analysis, ch. XVIII; the bound h < 1/2 as in J. M. Ortega, The
 //! Newton–Kantorovich theorem, Amer. Math. Monthly 75 (1968).
 
+use std::cell::OnceCell;
+
 use crate::chain::tracked::LIMIT;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::{InputMotion, Kinematics};
@@ -64,25 +66,9 @@ impl<'s> Kinematics<'s> {
         state
     }
 
-    /// The same state once more.
-    fn forked(&self) -> Self {
-        Self {
-            lets: self.lets.clone(),
-            unknowns: self.unknowns.clone(),
-            tracked: self.tracked.clone(),
-            taken: self.taken,
-            points: self.points.clone(),
-            links: self.links.clone(),
-            guides: self.guides.clone(),
-            coordinates: self.coordinates.clone(),
-            bars: self.bars.clone(),
-            ..Self::before(self.builder, self.mechanism, self.inputs.clone())
-        }
-    }
-
     /// The vectors between the points that are to be one, with these unknowns, behind this state.
     fn missed(&self, tracked: &Tracked, unknowns: Vec<Jet<'s>>) -> Vec<Jet<'s>> {
-        let mut trial = self.forked();
+        let mut trial = Self { by_input: OnceCell::new(), ..self.clone() };
         trial.tracked.push(unknowns);
         trial.name_lets();
         self.builder.set_guards_ignored(true);
@@ -107,13 +93,13 @@ fn solved<'s>(known: &Kinematics<'s>, id: TrackedId) -> Vec<Jet<'s>> {
             let sure = sure(tracked, &slopes, &change, builder);
             let sure = room.map_or(sure, |room| sure.at_least(room, room, sure));
             let sure = sure.guarded_by(Check::Certified, tracked.group.0, &[]);
-            builder.name(sure, format!("{} certified", tracked.unknowns[0].name));
+            builder.name(sure, format!("{} certified", tracked.fit.unknowns[0].name));
             // All later steps stand on this one.
             next[0] = sure.at_least(builder.zero(), next[0], at[0]);
         }
         at = next;
     }
-    for (at, unknown) in at.iter().zip(&tracked.unknowns) {
+    for (at, unknown) in at.iter().zip(&tracked.fit.unknowns) {
         builder.name(*at, unknown.name.clone());
     }
     let (_, slopes) = equations(&resting, tracked, &at);
@@ -168,9 +154,9 @@ fn sure<'s>(
     builder: &'s GraphBuilder<'s>,
 ) -> Sym<'s> {
     let number = |value: f64| number(builder, value);
-    let unit = |row: usize, value: Sym<'s>| match tracked.unknowns[row].is_angle {
+    let unit = |row: usize, value: Sym<'s>| match tracked.fit.unknowns[row].is_angle {
         true => value,
-        false => value * number(1.0 / tracked.size),
+        false => value * number(1.0 / tracked.fit.size),
     };
     let most = |a: Sym<'s>, b: Sym<'s>| a.at_least(b, a, b);
     let inverse = slopes.inverse();
@@ -198,40 +184,40 @@ fn fit<'s>(resting: &Kinematics<'s>, tracked: &Tracked) -> (Vec<Sym<'s>>, Option
     let number = |value: f64| number(builder, value);
     let from_drawing = from_drawing(resting, tracked);
     let chosen = |of: &dyn Fn(usize) -> f64| {
-        let pieces = tracked.pieces.iter().enumerate().skip(1);
+        let pieces = tracked.fit.pieces.iter().enumerate().skip(1);
         pieces.fold(number(of(0)), |before, (index, piece)| {
             from_drawing.at_least(number(piece.ends[0]), number(of(index)), before)
         })
     };
-    let ends = |index: usize| tracked.pieces[index].ends;
+    let ends = |index: usize| tracked.fit.pieces[index].ends;
     let middle = chosen(&|index| (ends(index)[0] + ends(index)[1]) / 2.0);
     let scale = chosen(&|index| 2.0 / (ends(index)[1] - ends(index)[0]));
     let place = (from_drawing - middle) * scale;
-    let unknowns = tracked.unknowns.iter().enumerate().map(|(unknown, of)| {
-        let count = tracked.pieces[0].powers[unknown].len();
+    let unknowns = tracked.fit.unknowns.iter().enumerate().map(|(unknown, of)| {
+        let count = tracked.fit.pieces[0].powers[unknown].len();
         let power = |power: usize| {
             let own = if power == 0 { of.drawn } else { 0.0 };
-            chosen(&|index| tracked.pieces[index].powers[unknown][power] + own)
+            chosen(&|index| tracked.fit.pieces[index].powers[unknown][power] + own)
         };
         let highest = power(count - 1);
         (0..count - 1).rev().fold(highest, |sum, next| sum * place + power(next))
     });
     let unknowns = unknowns.collect();
-    let [from, to] = tracked.stretch();
+    let [from, to] = tracked.fit.stretch();
     let beyond = BEYOND * (to - from);
     let room = [from_drawing - number(from - beyond), number(to + beyond) - from_drawing];
     let room = room[0].at_least(room[1], room[1], room[0]);
-    (unknowns, (!tracked.closes).then_some(room))
+    (unknowns, (!tracked.fit.closes).then_some(room))
 }
 
 /// The drive from its value in the drawing, an angle within half a turn.
 fn from_drawing<'s>(resting: &Kinematics<'s>, tracked: &Tracked) -> Sym<'s> {
     let builder = resting.builder;
-    if !tracked.is_turned {
-        return resting.jet(&tracked.drive.rest).value - number(builder, tracked.drawn);
+    if !tracked.fit.is_turned {
+        return resting.jet(&tracked.drive.rest).value - number(builder, tracked.fit.drawn);
     }
     let Direction { u, .. } = resting.turned(Direction::ground(builder), &tracked.drive);
-    let u = u.turned(back_by(builder, tracked.drawn));
+    let u = u.turned(back_by(builder, tracked.fit.drawn));
     u.y.apply2(Function::Atan2, u.x)
 }
 
@@ -323,11 +309,11 @@ fn dot<'s>(builder: &'s GraphBuilder<'s>, a: &[Sym<'s>], b: &[Sym<'s>]) -> Sym<'
 pub(super) fn inside<'s>(kinematics: &Kinematics<'s>, tracked: &Tracked) -> Option<Jet<'s>> {
     let builder = kinematics.builder;
     let constant = |value: f64| Jet::constant(number(builder, value));
-    let [from, to] = tracked.stretch().map(|end| end + tracked.drawn);
-    if tracked.closes {
+    let [from, to] = tracked.fit.stretch().map(|end| end + tracked.fit.drawn);
+    if tracked.fit.closes {
         return None;
     }
-    if !tracked.is_turned {
+    if !tracked.fit.is_turned {
         let drive = kinematics.jet(&tracked.drive.rest);
         return Some((drive - constant(from)) * (constant(to) - drive));
     }

@@ -57,9 +57,9 @@ fn of_tracked(kinematics: &Kinematics<'_>) -> Vec<program::Clearance> {
     let builder = kinematics.builder;
     let found = kinematics.mechanism.tracked.iter().filter_map(|tracked| {
         let Jet { value, rate, accel } = certified_steps::inside(kinematics, tracked)?;
-        let [from, to] = tracked.stretch();
+        let [from, to] = tracked.fit.stretch();
         // The value is at most one, or the square of half the stretch.
-        let scale = if tracked.is_turned { 1.0 } else { (to - from).powi(2) };
+        let scale = if tracked.fit.is_turned { 1.0 } else { (to - from).powi(2) };
         Some(program::Clearance {
             group: tracked.group.0,
             param: None,

@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use crate::equations::jet::Jet;
 use crate::equations::motion::{Direction, Frame, PointMotion};
@@ -85,6 +86,7 @@ impl<'s> InputMotion<'s> {
 }
 
 /// Everything that the steps have placed so far.
+#[derive(Clone)]
 pub(super) struct Kinematics<'s> {
     pub builder: &'s GraphBuilder<'s>,
     pub mechanism: &'s Mechanism,
@@ -110,7 +112,7 @@ pub(super) struct Kinematics<'s> {
     /// Where a point lies in the frame of what carries it.
     pub(super) coordinates: HashMap<(Carrier, PointId), [Jet<'s>; 2]>,
     pub(super) measures: HashMap<GroupId, LimitMeasures<'s>>,
-    pub(super) levers: HashMap<GroupId, Box<dyn JacobianFactors<'s> + 's>>,
+    pub(super) levers: HashMap<GroupId, Rc<dyn JacobianFactors<'s> + 's>>,
     /// Links between an outer joint and a pin: the vector from one to the other, its length, and the pin.
     pub(super) bars: HashMap<LinkId, (Vector<'s>, Jet<'s>, PointId)>,
     /// Number of steps taken.
@@ -265,7 +267,7 @@ impl<'s> Kinematics<'s> {
                 (None, _) => {}
             }
         }
-        self.levers.extend(solved.levers.map(|levers| (group.id, levers)));
+        self.levers.extend(solved.levers.map(|levers| (group.id, Rc::from(levers))));
     }
 
     /// Notes where a joint lies on the x axis of a link.

@@ -4,11 +4,10 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::chain::fit::Piece;
 use crate::syntax::tree::{Expr, GroupStatement};
 
 use crate::model::mechanism::Sign;
-use crate::model::solved_at_once::TrackedUnknown;
+use crate::model::solved_at_once::TrackedFit;
 
 /// The links of a drawing as groups have made them.
 #[derive(Default)]
@@ -36,8 +35,8 @@ pub(in crate::model) struct DrawnLinks {
     pub pins: Vec<PinFound>,
     /// In the order in which groups make their joints.
     pub slides: Vec<SlideFound>,
-    /// Groups that are solved by all their unknowns at once.
-    pub tracked: Vec<TrackedFound>,
+    /// Groups that are solved by all their unknowns at once: their links, and these unknowns.
+    pub tracked: Vec<(Vec<Ident>, TrackedFit)>,
     /// Links that unknowns turn which nobody has written.
     pub searched: Vec<Ident>,
     /// The pins of two bars that are drawn as a parallelogram, and the corners opposite to each.
@@ -46,19 +45,6 @@ pub(in crate::model) struct DrawnLinks {
     pub angles: Vec<(Ident, f64)>,
     /// Links that are driven, and those whose drivers drive them.
     pub drives: Vec<[Ident; 2]>,
-}
-
-/// A group that is solved by all its unknowns at once: see [`Tracked`].
-///
-/// [`Tracked`]: crate::model::solved_at_once::Tracked
-pub(in crate::model) struct TrackedFound {
-    pub links: Vec<Ident>,
-    pub unknowns: Vec<TrackedUnknown>,
-    pub drawn: f64,
-    pub is_turned: bool,
-    pub closes: bool,
-    pub pieces: Vec<Piece>,
-    pub size: f64,
 }
 
 /// The frame in which a link is written, in that of its group: see [`FrameShift`].

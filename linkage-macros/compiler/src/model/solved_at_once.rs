@@ -9,10 +9,19 @@ use crate::model::ids::{GroupId, PointId};
 pub(crate) struct Tracked {
     /// Its title is that of the links: what fails with it.
     pub group: GroupId,
-    pub unknowns: Vec<TrackedUnknown>,
-    /// The value of the drive that they are fitted over, an angle or another number.
+    /// The value of the drive that its unknowns are fitted over, an angle or another number.
     pub drive: AngleSum,
-    /// Its value in the drawing.
+    pub fit: TrackedFit,
+    /// The number of steps before its first, and behind its last.
+    pub steps: [usize; 2],
+    pub closings: Vec<TrackedClosing>,
+}
+
+/// The unknowns of a group over the drive.
+#[derive(Clone)]
+pub(crate) struct TrackedFit {
+    pub unknowns: Vec<TrackedUnknown>,
+    /// The drive's value in the drawing.
     pub drawn: f64,
     /// True if it is an angle, which is one pose a turn on.
     pub is_turned: bool,
@@ -21,9 +30,6 @@ pub(crate) struct Tracked {
     pub pieces: Vec<Piece>,
     /// The size that slides are measured by.
     pub size: f64,
-    /// The number of steps before its first, and behind its last.
-    pub steps: [usize; 2],
-    pub closings: Vec<TrackedClosing>,
 }
 
 /// An angle or a slide.
@@ -43,7 +49,7 @@ pub(crate) struct TrackedClosing {
     pub bend: f64,
 }
 
-impl Tracked {
+impl TrackedFit {
     /// The stretch of the drive on which it is certified, from the drawing.
     pub(crate) fn stretch(&self) -> [f64; 2] {
         match &self.pieces[..] {

@@ -71,8 +71,9 @@ fn followed(search: &SearchFollowed) -> String {
 /// The unknowns that are solved at once, and how far.
 fn solved_together(tracked: &Tracked) -> String {
     let names: Vec<_> =
-        tracked.unknowns.iter().map(|unknown| format!("`{}`", unknown.name)).collect();
-    let stretch = Stretch { input: None, ends: tracked.stretch(), is_angle: tracked.is_turned };
+        tracked.fit.unknowns.iter().map(|unknown| format!("`{}`", unknown.name)).collect();
+    let stretch =
+        Stretch { input: None, ends: tracked.fit.stretch(), is_angle: tracked.fit.is_turned };
     format!(
         " {} are solved at once, by steps of Newton's method that are certified while {} about the drawing. No statement \
          says that by hand.",

@@ -80,7 +80,7 @@ impl Declared<'_> {
             Scalar::Load(load) => self.mechanism.dynamics.loads[load.index()].name.to_string(),
             Scalar::Unknown(unknown) => self.mechanism.unknowns[unknown.index()].name.to_string(),
             Scalar::Tracked(group, index) => {
-                self.mechanism.tracked[group.index()].unknowns[*index].name.clone()
+                self.mechanism.tracked[group.index()].fit.unknowns[*index].name.clone()
             }
             Scalar::Let(id) => self.number(&self.mechanism.lets[id.index()].rest, unit),
             Scalar::Slide(link) => format!("{}.slide", self.link(*link)),

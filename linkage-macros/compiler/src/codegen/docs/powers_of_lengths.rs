@@ -49,7 +49,7 @@ pub(super) fn power(mechanism: &Mechanism, value: &Scalar) -> Option<i32> {
             Some(1)
         }
         Scalar::Tracked(group, index) => {
-            let is_angle = mechanism.tracked[group.index()].unknowns[*index].is_angle;
+            let is_angle = mechanism.tracked[group.index()].fit.unknowns[*index].is_angle;
             Some(if is_angle { 0 } else { 1 })
         }
         Scalar::Let(id) => power(&mechanism.lets[id.index()].rest),

@@ -7,7 +7,6 @@ use syn::Attribute;
 use crate::syntax::tree::{CloseStatement, Expr, TrackStatement};
 
 use crate::model::dimension::Measure;
-use crate::model::drawn_links::TrackedFound;
 use crate::model::facts::{Degree, LetFacts};
 use crate::model::mechanism::{
     AngleSum, Dimension, GroupName, LetId, Scalar, Tracked, TrackedClosing, TrackedId,
@@ -15,6 +14,7 @@ use crate::model::mechanism::{
 use crate::model::names::{Entity, Kind};
 use crate::model::reads::Reads;
 use crate::model::scope::Scope;
+use crate::model::solved_at_once::TrackedFit;
 use crate::model::statements::Rules;
 use crate::model::{declared, drawn_sliding, expressions, uses};
 
@@ -34,14 +34,19 @@ impl Rules for TrackStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let drive = expressions::quantity(scope, &self.drive);
         let found = scope.drawn.and_then(|drawn| drawn.tracked.get(self.group));
-        let (Some(drive), Some(found)) = (drive, found) else { return };
-        track(scope, &self.unknowns, drive.turn(), found);
+        let (Some(drive), Some((links, fit))) = (drive, found) else { return };
+        track(scope, &self.unknowns, drive.turn(), (links, fit));
     }
 }
 
-fn track(scope: &mut Scope<'_>, names: &[Ident], drive: AngleSum, found: &TrackedFound) {
+fn track(
+    scope: &mut Scope<'_>,
+    names: &[Ident],
+    drive: AngleSum,
+    (links, fit): (&[Ident], &TrackedFit),
+) {
     let id = TrackedId(scope.mechanism.tracked.len() as u32);
-    for (index, (name, unknown)) in names.iter().zip(&found.unknowns).enumerate() {
+    for (index, (name, unknown)) in names.iter().zip(&fit.unknowns).enumerate() {
         let of = if unknown.is_angle { Dimension::ANGLE } else { Dimension::LENGTH };
         let (measure, reads, pull) = (Measure::Known(of), Reads::default(), Degree::Free);
         scope.facts.lets.push(LetFacts { measure, moves: true, reads, pull });
@@ -54,21 +59,11 @@ fn track(scope: &mut Scope<'_>, names: &[Ident], drive: AngleSum, found: &Tracke
     let span = names.first().map_or(Span::call_site(), Ident::span);
     scope.mechanism.groups.push(GroupName {
         keyword: Ident::new("group", span),
-        title: drawn_sliding::title_as_drawn(scope, found.links.iter()),
+        title: drawn_sliding::title_as_drawn(scope, links.iter()),
     });
     let steps = [scope.mechanism.steps.len(); 2];
-    scope.mechanism.tracked.push(Tracked {
-        group,
-        unknowns: found.unknowns.clone(),
-        drive,
-        drawn: found.drawn,
-        is_turned: found.is_turned,
-        closes: found.closes,
-        pieces: found.pieces.clone(),
-        size: found.size,
-        steps,
-        closings: Vec::new(),
-    });
+    let (fit, closings) = (fit.clone(), Vec::new());
+    scope.mechanism.tracked.push(Tracked { group, drive, fit, steps, closings });
 }
 
 impl Rules for CloseStatement {

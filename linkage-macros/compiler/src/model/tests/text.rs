@@ -93,7 +93,9 @@ impl Names<'_> {
                 format!("offset({}, {})", self.point(*point), self.guide(*guide))
             }
             Scalar::Unknown(id) => self.0.unknowns[id.index()].name.to_string(),
-            Scalar::Tracked(id, index) => self.0.tracked[id.index()].unknowns[*index].name.clone(),
+            Scalar::Tracked(id, index) => {
+                self.0.tracked[id.index()].fit.unknowns[*index].name.clone()
+            }
             Scalar::AboveZero(inner) => self.expr(&inner.value),
             Scalar::Negate(value) => format!("(-{})", self.expr(value)),
             Scalar::Chain(first, rest) => {

@@ -19,8 +19,8 @@ use crate::model::drawn::writing::bars::DrawnBar;
 use crate::model::drawn::writing::followed::{DrawnValues, Fitted, traced_names};
 use crate::model::drawn::writing::group_statement::group_of;
 use crate::model::drawn::writing::writer::Writer;
-use crate::model::drawn_links::{RodEnd, TrackedFound};
-use crate::model::solved_at_once::TrackedUnknown;
+use crate::model::drawn_links::RodEnd;
+use crate::model::solved_at_once::{TrackedFit, TrackedUnknown};
 
 impl Writer<'_, '_> {
     /// The unknown that drives a body.
@@ -67,15 +67,16 @@ impl Writer<'_, '_> {
         let machine = &self.bodies.machine;
         let mut sorted = bodies.clone();
         sorted.sort_unstable();
-        self.links.tracked.push(TrackedFound {
-            links: sorted.iter().map(|&body| self.frames.name(body).clone()).collect(),
+        let links = sorted.iter().map(|&body| self.frames.name(body).clone()).collect();
+        let fit = TrackedFit {
             unknowns,
             drawn,
             is_turned: machine.drives[0].kind == Driven::Angle,
             closes: tracked.closes,
             pieces: tracked.pieces.clone(),
             size: tracked.size,
-        });
+        };
+        self.links.tracked.push((links, fit));
         self.together.clear();
         for written in &mut self.written[begin..] {
             (written.search, written.behind) = (Some(key), behind);
