@@ -3,7 +3,7 @@
 use super::docs::words;
 use super::identifiers::text;
 use crate::model::acting::{Ends, Force, Spring};
-use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Slideway, Step};
+use crate::model::mechanism::{Carrier, Drive, Group, Mechanism, Point, Slideway, Step};
 
 /// A statement, every part by its place among the names.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,15 +77,11 @@ impl PlanParts {
     }
 }
 
-/// The names of points, links and guides; none of a point that closes a loop where another has its name.
+/// The names of points, links and guides; none of a point that nobody has named.
 pub(super) fn names(mechanism: &Mechanism) -> [Vec<String>; 3] {
-    let closings = mechanism.tracked.iter().flat_map(|tracked| &tracked.closings);
-    let met: Vec<usize> = closings.map(|closing| closing.points[1].index()).collect();
-    let points = mechanism.points.iter().enumerate();
+    let point = |point: &Point| if point.is_hidden { String::new() } else { text(&point.name) };
     [
-        points
-            .map(|(at, of)| if met.contains(&at) { String::new() } else { text(&of.name) })
-            .collect(),
+        mechanism.points.iter().map(point).collect(),
         mechanism.links.iter().map(|link| text(&link.name)).collect(),
         mechanism.guides.iter().map(|guide| text(&guide.name)).collect(),
     ]

@@ -4,7 +4,9 @@ use proc_macro2::Ident;
 use syn::Attribute;
 
 use crate::model::facts::LinkFacts;
-use crate::model::mechanism::{GroupId, GroupName, Link, LinkId, PartOf, Point, PointId};
+use crate::model::mechanism::{
+    GroupId, GroupName, Link, LinkId, PartOf, Point, PointId, StandsFor,
+};
 use crate::model::names::Entity;
 use crate::model::scope::Scope;
 use crate::model::uses::name_is_new;
@@ -40,7 +42,7 @@ pub(super) fn new_link(
         docs: docs.to_vec(),
         made_by,
         slides,
-        stands_for: None,
+        stands_for: scope.drawn.map_or(StandsFor::Itself, |drawn| drawn.stands_for(name)),
     });
     scope.facts.links.push(LinkFacts {
         moves: false,
@@ -49,7 +51,7 @@ pub(super) fn new_link(
         has_its_joints: true,
         is_placed: true,
     });
-    scope.facts.order.push(Entity::Link(id));
+    note(scope, name, Entity::Link(id));
     id
 }
 
@@ -72,10 +74,18 @@ pub(super) fn new_point(
     part_of: PartOf,
 ) -> PointId {
     let id = PointId(scope.mechanism.points.len() as u32);
-    scope.mechanism.points.push(Point { name: name.clone(), docs: docs.to_vec(), part_of });
+    let (is_hidden, docs) = (scope.names.is_hidden(name), docs.to_vec());
+    scope.mechanism.points.push(Point { name: name.clone(), docs, part_of, is_hidden });
     scope.facts.points.push(false);
-    scope.facts.order.push(Entity::Point(id));
+    note(scope, name, Entity::Point(id));
     id
+}
+
+/// Remembers what somebody has named, which may be a result.
+pub(super) fn note(scope: &mut Scope<'_>, name: &Ident, entity: Entity) {
+    if !scope.names.is_hidden(name) {
+        scope.facts.order.push(entity);
+    }
 }
 
 /// The group that a name stands for by itself in a stub.

@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::syntax::tree::{Expr, GroupStatement};
 
-use crate::model::mechanism::Sign;
+use crate::model::mechanism::{Sign, StandsFor};
 use crate::model::solved_at_once::TrackedFit;
 
 /// The links of a drawing as groups have made them.
@@ -16,8 +16,8 @@ pub(in crate::model) struct DrawnLinks {
     pub made: Vec<Ident>,
     /// All names that nobody has written.
     pub names: Vec<Ident>,
-    /// Links and unknowns among them, and the links of the drawing that each stands for.
-    pub hidden: Vec<(Ident, Vec<Ident>)>,
+    /// Links and unknowns among them, and what each stands for.
+    pub hidden: Vec<(Ident, StandsFor)>,
     /// The links whose groups gave them other frames than their statements.
     pub frames: Vec<FrameFound>,
     /// Pins and guides whose places are told in the frames of groups.
@@ -27,8 +27,6 @@ pub(in crate::model) struct DrawnLinks {
     pub lengths: Vec<(Ident, Expr)>,
     /// The modes of groups that leave theirs to the drawing, by their first links.
     pub modes: Vec<(Ident, Sign)>,
-    /// Joints of links at which blocks stand in for them.
-    pub ends: Vec<RodEnd>,
     /// Pins between links.
     pub joints: Vec<Ident>,
     pub bars: Vec<BarFound>,
@@ -64,13 +62,6 @@ pub(in crate::model) struct GuideFound {
     pub guide: Ident,
     pub through: Option<[Expr; 2]>,
     pub along: Option<Expr>,
-}
-
-/// A joint of a link at which a block stands in for it.
-pub(in crate::model) struct RodEnd {
-    pub block: Ident,
-    pub link: Ident,
-    pub pin: Ident,
 }
 
 /// A slide as it is drawn, by the joint of a group: see [`DrawnSlide`].
@@ -122,8 +113,9 @@ impl DrawnLinks {
         self.modes.iter().find(|(link, _)| link == first).map(|(_, mode)| *mode)
     }
 
-    /// The block that stands in for a link at a joint.
-    pub(super) fn end_of(&self, link: &Ident, pin: &Ident) -> Option<&RodEnd> {
-        self.ends.iter().find(|end| end.link == *link && end.pin == *pin)
+    /// The parts of the drawing that a link or an unknown stands for.
+    pub(super) fn stands_for(&self, name: &Ident) -> StandsFor {
+        let mut hidden = self.hidden.iter();
+        hidden.find(|(own, _)| own == name).map_or(StandsFor::Itself, |(_, of)| of.clone())
     }
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::model::mechanism::LinkId;
+use crate::model::mechanism::{LinkId, StandsFor};
 use crate::model::scope::Scope;
 use crate::model::uses;
 
@@ -11,15 +11,13 @@ pub(in crate::model) fn title_as_drawn<'n>(
     scope: &Scope<'_>,
     names: impl Iterator<Item = &'n Ident>,
 ) -> String {
-    let hidden = scope.drawn.map_or(&[][..], |drawn| &drawn.hidden);
-    let mut known: Vec<String> = Vec::new();
-    for name in names {
-        match hidden.iter().find(|(hidden, _)| hidden == name) {
-            Some((_, links)) => known.extend(links.iter().map(ToString::to_string)),
-            None => known.push(name.to_string()),
-        }
-    }
-    known.join(", ")
+    let stands_for = |name| scope.drawn.map_or(StandsFor::Itself, |drawn| drawn.stands_for(name));
+    let known = names.flat_map(|name| match stands_for(name) {
+        StandsFor::Itself => vec![name.to_string()],
+        StandsFor::EndOf(_) => Vec::new(),
+        StandsFor::Links(links) => links.iter().map(ToString::to_string).collect(),
+    });
+    known.collect::<Vec<_>>().join(", ")
 }
 
 /// True if a link of a drawing slides by its statement; `None` of a link that is declared as part of a group.

@@ -30,7 +30,7 @@ pub(super) struct Facts {
     pub searches: Vec<Searched>,
     /// By unknown: where its ends stand.
     pub ends_of_unknowns: Vec<[Extent; 2]>,
-    /// Points, links and unknowns in order of declaration.
+    /// Points, links and unknowns that somebody has named, in order of declaration.
     pub order: Vec<Entity>,
     /// Where gravity is given.
     pub gravity_at: Option<Span>,

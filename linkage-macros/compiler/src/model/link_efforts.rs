@@ -6,7 +6,9 @@ use quote::format_ident;
 use crate::model::acting::Effort;
 use crate::model::drawn_sliding;
 use crate::model::driven_through::driven_through;
-use crate::model::mechanism::{Body, Group, JointKind, LinkId, Mechanism, PointId, Slideway};
+use crate::model::mechanism::{
+    Body, Group, JointKind, LinkId, Mechanism, PointId, Slideway, StandsFor,
+};
 use crate::model::scope::Scope;
 
 /// Parts of a link that are outputs.
@@ -29,10 +31,22 @@ pub(super) fn exerted<'s>(
     })
 }
 
-/// Drive, push, joints and guides of a link.
+/// Drive, push, joints and guides of a link; none of a block that stands for one at a joint, whose force is that of the link.
 pub(super) fn efforts_of(scope: &Scope<'_>, link: LinkId) -> Efforts {
-    let group = scope.mechanism.group_with(link);
-    let mut efforts = group.map_or(Vec::new(), |group| of_group(scope, group, link));
+    let mechanism = &scope.mechanism;
+    let of_group = |link: LinkId| {
+        let group = mechanism.group_with(link);
+        group.map_or(Vec::new(), |group| of_group(scope, group, link))
+    };
+    let own = &mechanism.links[link.index()];
+    let stands_for = |other: LinkId| &mechanism.links[other.index()].stands_for;
+    let is_end = |of: LinkId| matches!(stands_for(of), StandsFor::EndOf(link) if *link == own.name);
+    if let StandsFor::EndOf(_) = own.stands_for {
+        return Vec::new();
+    }
+    let ends = mechanism.link_ids().filter(|&other| is_end(other)).flat_map(of_group);
+    let mut efforts: Efforts = ends.filter(|(_, of)| matches!(of, Effort::Pin(..))).collect();
+    efforts.extend(of_group(link));
     // Points of its own that others stand on.
     let mut own: Vec<PointId> = Vec::new();
     for (point, _) in scope.mechanism.standing() {

@@ -78,6 +78,8 @@ pub(crate) struct Point {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub part_of: PartOf,
+    /// True if nobody has written its name.
+    pub is_hidden: bool,
 }
 
 /// The part of the mechanism that a point belongs to.
@@ -238,8 +240,19 @@ pub(crate) struct Link {
     pub made_by: GroupId,
     /// True if it slides on a guide and so has a `slide`.
     pub slides: bool,
-    /// The link of the drawing, whose name users know, that a block stands in for.
-    pub stands_for: Option<Ident>,
+    pub stands_for: StandsFor,
+}
+
+/// The parts of a drawing that something stands for whose name nobody may have written.
+#[derive(Clone, Default)]
+pub(crate) enum StandsFor {
+    /// Itself: it is declared.
+    #[default]
+    Itself,
+    /// A link at one of its joints, where it is a block that holds that in place.
+    EndOf(Ident),
+    /// Links of which it is a part, or that it moves.
+    Links(Vec<Ident>),
 }
 
 impl Param {
@@ -254,9 +267,12 @@ impl Param {
 }
 
 impl Link {
-    /// Its name, or that of the link that it stands in for.
+    /// Its name, or that of the link at whose joint it is.
     pub(crate) fn known_as(&self) -> &Ident {
-        self.stands_for.as_ref().unwrap_or(&self.name)
+        match &self.stands_for {
+            StandsFor::EndOf(link) => link,
+            StandsFor::Itself | StandsFor::Links(_) => &self.name,
+        }
     }
 }
 

@@ -179,6 +179,11 @@ impl Names {
         known.filter(|symbol| kinds.contains(&symbol.kind)).map(|symbol| symbol.name.as_str())
     }
 
+    /// True if nobody has written the name.
+    pub(super) fn is_hidden(&self, name: &Ident) -> bool {
+        self.symbol(name).is_some_and(|symbol| symbol.is_hidden)
+    }
+
     pub(super) fn symbol(&self, name: &Ident) -> Option<&Symbol> {
         self.by_name.get(&name.to_string()).map(|&index| &self.symbols[index])
     }

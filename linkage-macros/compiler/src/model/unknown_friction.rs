@@ -2,14 +2,13 @@
 
 use proc_macro2::{Ident, Span};
 
-use crate::model::mechanism::LinkId;
+use crate::model::mechanism::{LinkId, StandsFor};
 use crate::model::scope::Scope;
 
 /// Friction beside an unknown, or beside links of a drawing that are searched for.
 pub(in crate::model) fn beside_an_unknown(scope: &mut Scope<'_>, at: Span) {
     let mechanism = &scope.mechanism;
-    let is_hidden = |name| scope.drawn.is_some_and(|drawn| drawn.names.contains(name));
-    let hidden = mechanism.unknowns.iter().find(|unknown| is_hidden(&unknown.name));
+    let hidden = mechanism.unknowns.iter().find(|unknown| scope.names.is_hidden(&unknown.name));
     let (message, reason) = match hidden {
         Some(unknown) => (
             format!(
@@ -33,12 +32,8 @@ pub(in crate::model) fn known_by_their_links(
     pin: &Ident,
     links: &[LinkId],
 ) -> Option<()> {
-    let hidden = scope.drawn.map_or(&[][..], |drawn| &drawn.hidden);
-    let is_hidden = |link: &LinkId| {
-        let name = &scope.mechanism.links[link.index()].name;
-        hidden.iter().any(|(hidden, _)| hidden == name)
-    };
-    if !links.iter().any(is_hidden) {
+    let stands_for = |link: &LinkId| &scope.mechanism.links[link.index()].stands_for;
+    if links.iter().all(|link| matches!(stands_for(link), StandsFor::Itself)) {
         return Some(());
     }
     let message =

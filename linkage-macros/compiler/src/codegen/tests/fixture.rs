@@ -74,7 +74,7 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
         docs: Vec::new(),
         made_by: GroupId(made_by),
         slides: false,
-        stands_for: None,
+        stands_for: StandsFor::Itself,
     };
     let direction = |link| OutputKind::Link { link: LinkId(link), direction: true, slide: false };
     let outputs = vec![
@@ -90,7 +90,12 @@ pub(super) fn four_bar() -> (Mechanism, Program) {
     let mode = Param { name: ident("elbow"), docs: Vec::new(), kind: side };
     shear.params = vec![number("crank", "0.08"), mode];
     let part_of = PartOf::Pin(GroupId(1));
-    shear.points = vec![Point { name: ident("C"), docs: docs(" The coupler's pin."), part_of }];
+    shear.points = vec![Point {
+        name: ident("C"),
+        docs: docs(" The coupler's pin."),
+        part_of,
+        is_hidden: false,
+    }];
     shear.links = vec![link("AB", 0), link("BC", 1), link("DC", 1)];
     shear.groups = vec![group("crank", "AB"), group("rrr", "BC, DC")];
     (shear, four_bar_program())
@@ -248,7 +253,7 @@ pub(super) fn table() -> (Mechanism, Program) {
         docs: Vec::new(),
         made_by: GroupId(0),
         slides: true,
-        stands_for: None,
+        stands_for: StandsFor::Itself,
     };
     let output_of =
         |link, direction| OutputKind::Link { link: LinkId(link), direction, slide: true };

@@ -21,7 +21,7 @@ mod reading;
 pub(super) mod writing;
 
 use crate::model::drawn_bodies::Outline;
-use crate::model::drawn_links::{DrawnLinks, RodEnd};
+use crate::model::drawn_links::DrawnLinks;
 use proc_macro2::Ident;
 
 use crate::chain;
@@ -77,21 +77,9 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
     if cut.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
         outline::messages::report_held_reactions(tree, &mechanism, diagnostics);
+        let asked = std::mem::take(&mut mechanism.dynamics.asked);
+        mechanism.dynamics.asked = mechanism.dynamics.what_is_of_power(asked);
     }
-    for RodEnd { block, link, .. } in &cut.links.ends {
-        let blocks = mechanism.links.iter_mut().filter(|other| other.name == *block);
-        blocks.for_each(|other| other.stands_for = Some(link.clone()));
-    }
-    let mut asked = std::mem::take(&mut mechanism.dynamics.asked);
-    if cut.holds_links {
-        asked = mechanism.dynamics.what_is_of_power(asked);
-    }
-    mechanism.dynamics.asked = writing::ends::as_of_links(&cut.links.ends, asked);
-    let is_hidden = |field: &Ident| {
-        cut.links.hidden.iter().any(|(name, _)| name == field)
-            || tree.unwritten.names.contains(field)
-    };
-    mechanism.outputs.retain(|output| !is_hidden(&output.field));
     for statement in &tree.statements {
         document(&mut mechanism, statement);
     }

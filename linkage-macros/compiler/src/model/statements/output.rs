@@ -88,9 +88,7 @@ pub(in crate::model) fn output(scope: &mut Scope<'_>, docs: &[Attribute], item: 
         (Some(name), _) => named_output(scope, docs, name, &item.value),
         (None, ExprKind::Name(name)) => whole_output(scope, docs, name),
         (None, ExprKind::Member(owner, member)) => {
-            let end = scope.drawn.and_then(|drawn| drawn.end_of(owner, member));
-            let block = end.map(|end| Ident::new(&end.block.to_string(), owner.span()));
-            member_output(scope, docs, block.as_ref().unwrap_or(owner), member);
+            member_output(scope, docs, owner, member);
         }
         (None, ExprKind::Part(path)) => effort_formulas::part_output(scope, docs, path),
         (None, ExprKind::Mistake) => {}

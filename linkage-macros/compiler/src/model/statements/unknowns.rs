@@ -75,7 +75,7 @@ fn unknown(
         mode: Mode::Fixed(Sign::Plus),
         near: None,
     });
-    scope.facts.order.push(Entity::Unknown(id));
+    declared::note(scope, name, Entity::Unknown(id));
     scope.names.bind(name, Entity::Unknown(id));
     let ends = written.each_ref().map(|end| end.span);
     let follows = HashSet::from([Entity::Unknown(id)]);

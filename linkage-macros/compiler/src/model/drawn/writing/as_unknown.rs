@@ -19,7 +19,7 @@ use crate::model::drawn::writing::bars::DrawnBar;
 use crate::model::drawn::writing::followed::{DrawnValues, Fitted, traced_names};
 use crate::model::drawn::writing::group_statement::group_of;
 use crate::model::drawn::writing::writer::Writer;
-use crate::model::drawn_links::RodEnd;
+use crate::model::mechanism::StandsFor;
 use crate::model::solved_at_once::{TrackedFit, TrackedUnknown};
 
 impl Writer<'_, '_> {
@@ -102,7 +102,6 @@ impl Writer<'_, '_> {
     fn closing(&mut self, &Closing { pin, body, .. }: &Closing) -> [Ident; 2] {
         let (made, link) = (self.bodies.pins[pin].name.clone(), self.frames.name(body).clone());
         let name = self.names.made(format!("{made}_on_{link}"), "_", link.span());
-        self.hide(name.clone(), &[]);
         let frame = self.frames.own_frame(body);
         let place = PointPlace::Cartesian(self.place_in(body, pin, &frame, &name));
         self.links.placed.insert(name.clone());
@@ -238,7 +237,7 @@ impl Writer<'_, '_> {
         let (offset, rail) = (self.frames.offset(guide, pin), self.rail(slide, body));
         let name = self.bodies.pins[pin].name.clone();
         self.solve(search, unknown, ("offset", [&name, &rail]), offset.text.clone());
-        let block = self.block(body, self.frames.name(body), search.joints[0]);
+        let block = self.block(body, self.frames.name(body));
         let pen = self.frames.pen.at(self.frames.name(body).span());
         let slot = pen.float(90.0, "deg");
         let mut fields = vec![("slot", GroupFieldValue::One(slot))];
@@ -304,7 +303,7 @@ impl Writer<'_, '_> {
         pins: [usize; 2],
     ) {
         let [from, to] = pins.map(|pin| self.bodies.pins[pin].name.clone());
-        let block = self.block(body, &name, Pair::Pin(pins[1]));
+        let block = self.block(body, &name);
         let fields = vec![self.mode(body, "ahead")];
         self.frames.turns.join(&name, &from);
         let group = group_of("rpr", vec![(block, to), (name, from)], None, fields);
@@ -312,20 +311,17 @@ impl Writer<'_, '_> {
     }
 
     /// The name of the block that holds a link in place at a joint.
-    fn block(&mut self, body: usize, link: &Ident, at: Pair) -> Ident {
+    fn block(&mut self, body: usize, link: &Ident) -> Ident {
         let name = self.names.made(format!("{link}_end"), "_end", link.span());
-        self.hide(name.clone(), &[]);
-        if let Pair::Pin(pin) = at {
-            let (link, pin) = (self.frames.name(body).clone(), self.bodies.pins[pin].name.clone());
-            self.links.ends.push(RodEnd { block: name.clone(), link, pin });
-        }
+        let end = StandsFor::EndOf(self.frames.name(body).clone());
+        self.links.hidden.push((name.clone(), end));
         name
     }
 
-    /// Remembers a name that nobody has written, and the links that it stands for.
+    /// Remembers the links that something stands for whose name nobody has written.
     pub(in crate::model::drawn) fn hide(&mut self, name: Ident, links: &[usize]) {
-        let links = links.iter().map(|&body| self.frames.name(body).clone());
-        self.links.hidden.push((name, links.collect()));
+        let links = links.iter().map(|&body| self.frames.name(body).clone()).collect();
+        self.links.hidden.push((name, StandsFor::Links(links)));
     }
 
     /// A name for an unknown that nothing has.

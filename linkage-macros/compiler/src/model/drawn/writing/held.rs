@@ -185,7 +185,6 @@ impl Writer<'_, '_> {
             _ => pen.seen_from(&frame.axis, &back),
         };
         let point = self.names.made(format!("{at}_shifted"), "_", name.span());
-        self.hide(point.clone(), &[]);
         let place = PointPlace::Cartesian(local.map(|number| number.text));
         let on = Some(name);
         let behind = self.bodies.link(body).statement;

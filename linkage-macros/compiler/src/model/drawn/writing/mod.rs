@@ -2,7 +2,6 @@
 
 pub(in crate::model::drawn) mod as_unknown;
 pub(in crate::model::drawn) mod bars;
-pub(in crate::model::drawn) mod ends;
 pub(in crate::model::drawn) mod followed;
 pub(in crate::model) mod free_names;
 pub(in crate::model::drawn) mod group_statement;
