@@ -4,9 +4,9 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{Expr, GroupStatement};
+use crate::syntax::tree::Expr;
 
-use crate::model::mechanism::{Sign, StandsFor};
+use crate::model::mechanism::StandsFor;
 use crate::model::solved_at_once::TrackedFit;
 
 /// The links of a drawing as groups have made them.
@@ -22,13 +22,9 @@ pub(in crate::model) struct DrawnLinks {
     pub frames: Vec<FrameFound>,
     /// Pins and guides whose places are told in the frames of groups.
     pub placed: HashSet<Ident>,
-    pub guides: Vec<GuideFound>,
-    /// The lengths between the first two pins of links that no group has as a bar between them.
-    pub lengths: Vec<(Ident, Expr)>,
-    /// The modes of groups that leave theirs to the drawing, by their first links.
-    pub modes: Vec<(Ident, Sign)>,
     /// Pins between links.
     pub joints: Vec<Ident>,
+    /// Links that no group has as bars between the first two pins of their statements.
     pub bars: Vec<BarFound>,
     pub pins: Vec<PinFound>,
     /// In the order in which groups make their joints.
@@ -56,14 +52,6 @@ pub(in crate::model) struct FrameFound {
     pub is_reversed: bool,
 }
 
-/// A guide through points that the groups have not made of its body, in the written frame of that: what the drawing says
-/// in their place.
-pub(in crate::model) struct GuideFound {
-    pub guide: Ident,
-    pub through: Option<[Expr; 2]>,
-    pub along: Option<Expr>,
-}
-
 /// A slide as it is drawn, by the joint of a group: see [`DrawnSlide`].
 pub(in crate::model) struct SlideFound {
     pub link: Ident,
@@ -80,7 +68,8 @@ pub(in crate::model) struct SlideFound {
 /// A link as a bar between the first two pins of its statement.
 pub(in crate::model) struct BarFound {
     pub link: Ident,
-    pub middle: [Expr; 2],
+    /// Its middle; none where an input changes its length.
+    pub middle: Option<[Expr; 2]>,
     pub length: Expr,
 }
 
@@ -95,22 +84,6 @@ impl DrawnLinks {
     /// The slide that a link is known by: that on the first guide of its statement.
     pub(super) fn slide_of(&self, link: &Ident) -> Option<&SlideFound> {
         self.slides.iter().find(|slide| slide.link == *link && slide.is_first)
-    }
-
-    /// The words of the drawing for a guide.
-    pub(super) fn guide(&self, name: &Ident) -> Option<&GuideFound> {
-        self.guides.iter().find(|found| found.guide == *name)
-    }
-
-    /// The length between the first two pins of a link, where no group has it as a bar between them.
-    pub(super) fn length_of(&self, link: &Ident) -> Option<&Expr> {
-        self.lengths.iter().find(|(known, _)| known == link).map(|(_, length)| length)
-    }
-
-    /// The mode of a group that leaves it to the drawing.
-    pub(super) fn mode_of(&self, group: &GroupStatement) -> Option<Sign> {
-        let first = &group.legs.first()?.link;
-        self.modes.iter().find(|(link, _)| link == first).map(|(_, mode)| *mode)
     }
 
     /// The parts of the drawing that a link or an unknown stands for.

@@ -150,9 +150,8 @@ fn no_field_is_missing(
     anatomy: &GroupSpec,
     fields: &Fields,
 ) {
-    let has_a_drawn_mode = scope.drawn.is_some_and(|drawn| drawn.mode_of(group).is_some());
     for (name, meaning) in needed(group, anatomy) {
-        if fields.is_left_out(name) && !(name == "mode" && has_a_drawn_mode) {
+        if fields.is_left_out(name) {
             missing(scope, group.end, name, &meaning);
         }
     }

@@ -79,8 +79,7 @@ pub(super) fn mode(
     let modes = anatomy.modes?;
     let Some(value) = fields.one("mode") else {
         let is_default = !anatomy.mode_is_needed() && fields.is_left_out("mode");
-        let drawn = scope.drawn.and_then(|drawn| drawn.mode_of(group));
-        return drawn.or(is_default.then_some(Sign::Plus)).map(Mode::Fixed);
+        return is_default.then_some(Mode::Fixed(Sign::Plus));
     };
     let Some(word) = bare_name(value) else {
         let message = "a mode is one word";

@@ -13,7 +13,7 @@ use crate::model::{numbers, uses};
 
 /// A link of a drawing as a bar, where its group has no such bar.
 pub(in crate::model) fn bar_as_drawn<'d>(scope: &Scope<'d>, link: &Ident) -> Option<&'d BarFound> {
-    scope.drawn?.bars.iter().find(|bar| bar.link == *link)
+    scope.drawn?.bars.iter().find(|bar| bar.link == *link && bar.middle.is_some())
 }
 
 /// The place on a link of a pin that its group makes elsewhere.
@@ -35,7 +35,7 @@ pub(in crate::model) fn uniform_as_drawn(
 ) -> Option<Mass> {
     let link: LinkId = uses::link(scope, name)?;
     let (middle, length) =
-        (numbers::lengths(scope, &bar.middle)?, numbers::length(scope, &bar.length)?);
+        (numbers::lengths(scope, bar.middle.as_ref()?)?, numbers::length(scope, &bar.length)?);
     let twelve = Scalar::Constant(crate::exact::Exact::integer(12));
     let inertia =
         [(Operator::Mul, length.clone()), (Operator::Mul, length), (Operator::Div, twelve)];

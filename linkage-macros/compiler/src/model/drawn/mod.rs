@@ -115,17 +115,8 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
         translated;
     writing::placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
     writing::placed::report_distances_apart(&bodies, &links.bars, values.scope.diagnostics)?;
-    let declaration = Declaration {
-        docs: tree.docs.clone(),
-        visibility: tree.visibility.clone(),
-        name: tree.name.clone(),
-        statements,
-        unread: tree.unread.clone(),
-        is_damaged: tree.is_damaged,
-        unwritten: tree.unwritten.clone(),
-    };
-    let outline = bodies.outline();
-    Some(Translation { tree: declaration, searches, links, holds_links, inputs, outline })
+    let (outline, tree) = (bodies.outline(), Declaration { statements, ..tree.clone() });
+    Some(Translation { tree, searches, links, holds_links, inputs, outline })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.

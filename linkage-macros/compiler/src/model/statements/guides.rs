@@ -8,7 +8,6 @@ use crate::reach::line::BodyLine;
 use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
 use crate::model::assembly::constants;
-use crate::model::drawn_links::GuideFound;
 use crate::model::facts::GuideFacts;
 use crate::model::mechanism::{
     Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through,
@@ -29,14 +28,8 @@ impl Rules for GuideStatement {
     }
 
     fn builds_on(&self) -> Vec<&Ident> {
-        let [through, towards] = points(self);
+        let [through, towards] = guide_points(self);
         self.on.iter().chain(through).chain(towards).collect()
-    }
-
-    fn uses(&self, scope: &Scope<'_>, asks: &dyn Fn(Entity) -> bool) -> bool {
-        let found = scope.drawn.and_then(|drawn| drawn.guide(&self.name));
-        let names = names_that_place(self, found);
-        names.iter().any(|name| scope.names.entity(name).is_some_and(asks))
     }
 
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
@@ -70,7 +63,7 @@ impl Rules for GuideStatement {
 }
 
 /// The points that a guide runs through and towards, where it names them.
-fn points(guide: &GuideStatement) -> [Option<&Ident>; 2] {
+pub(in crate::model) fn guide_points(guide: &GuideStatement) -> [Option<&Ident>; 2] {
     let through = match &guide.through {
         GuideAnchor::Point(point) => Some(point),
         GuideAnchor::At(_) | GuideAnchor::Mistake => None,
@@ -80,19 +73,6 @@ fn points(guide: &GuideStatement) -> [Option<&Ident>; 2] {
         Course::Along(_) | Course::Mistake => None,
     };
     [through, towards]
-}
-
-/// The names by which a guide is placed: all that it uses, without points for which the drawing stands.
-pub(in crate::model) fn names_that_place(
-    guide: &GuideStatement,
-    found: Option<&GuideFound>,
-) -> Vec<Ident> {
-    let [through, towards] = points(guide);
-    let through = through.filter(|_| found.is_none_or(|found| found.through.is_none()));
-    let towards = towards.filter(|_| found.is_none_or(|found| found.along.is_none()));
-    let mut names: Vec<_> = guide.on.iter().chain(through).chain(towards).cloned().collect();
-    guide.each_expression(&mut |expr| expr.each_name(&mut |name| names.push(name.clone())));
-    names
 }
 
 fn guide_line(
@@ -107,15 +87,8 @@ fn guide_line(
     let carrier = carrier(scope, on);
     let is_told_in_its_group = scope.drawn.is_some_and(|drawn| drawn.placed.contains(name));
     let body = carrier.filter(|_| !is_told_in_its_group).unwrap_or(Carrier::Ground);
-    let found = scope.drawn.and_then(|drawn| drawn.guide(name));
-    let through = match found.and_then(|found| found.through.as_ref()) {
-        Some(at) => spot_at(scope, at, body),
-        None => spot(scope, through, carrier, body),
-    };
-    let course = match found.and_then(|found| found.along.as_ref()) {
-        Some(angle) => course_along(scope, angle, body),
-        None => self::course(scope, course, carrier, body),
-    };
+    let through = spot(scope, through, carrier, body);
+    let course = self::course(scope, course, carrier, body);
     let differ = match (&through, &course) {
         (Some((spot, from)), Some((course, _))) => {
             guide_has_a_direction(scope, name, carrier, spot, from.as_ref(), course)
@@ -152,7 +125,7 @@ pub(in crate::model) fn carrier(scope: &mut Scope<'_>, on: Option<&Ident>) -> Op
     }
 }
 
-/// The point a guide goes through, and its place if that is constant.
+/// The point a guide goes through, and its place if that is constant. Coordinates are in the written frame of the body.
 fn spot(
     scope: &mut Scope<'_>,
     spot: &GuideAnchor,
@@ -160,7 +133,12 @@ fn spot(
     body: Carrier,
 ) -> Option<(Through, Option<[Exact; 2]>)> {
     match spot {
-        GuideAnchor::At(place) => spot_at(scope, place, body),
+        GuideAnchor::At(place) => {
+            let place = numbers::lengths(scope, place)?;
+            let place = scope.mechanism.placed(body, place);
+            let at = constants(&place);
+            Some((Through::At(place), at))
+        }
         GuideAnchor::Point(name) => {
             let (point, at) = point_lies_on_carrier(scope, name, carrier)?;
             Some((Through::Point(point), at))
@@ -169,29 +147,8 @@ fn spot(
     }
 }
 
-/// Coordinates in the written frame of a body.
-fn spot_at(
-    scope: &mut Scope<'_>,
-    place: &[Expr; 2],
-    body: Carrier,
-) -> Option<(Through, Option<[Exact; 2]>)> {
-    let place = numbers::lengths(scope, place)?;
-    let place = scope.mechanism.placed(body, place);
-    let at = constants(&place);
-    Some((Through::At(place), at))
-}
-
-/// An angle against the written frame of a body.
-fn course_along(
-    scope: &mut Scope<'_>,
-    angle: &Expr,
-    body: Carrier,
-) -> Option<(GuideDirection, Option<[Exact; 2]>)> {
-    let angle = numbers::turn(scope, angle)?;
-    Some((GuideDirection::Along(scope.mechanism.turned(body, angle)), None))
-}
-
-/// Where a guide goes, and where that lies if it is a point at a constant place.
+/// Where a guide goes, and where that lies if it is a point at a constant place. An angle is against the written frame
+/// of the body.
 fn course(
     scope: &mut Scope<'_>,
     course: &Course,
@@ -201,7 +158,8 @@ fn course(
     match course {
         Course::Along(angle) => {
             axis_is_an_angle(scope, angle)?;
-            course_along(scope, angle, body)
+            let angle = numbers::turn(scope, angle)?;
+            Some((GuideDirection::Along(scope.mechanism.turned(body, angle)), None))
         }
         Course::Towards(name) => {
             let (point, at) = point_lies_on_carrier(scope, name, carrier)?;

@@ -172,8 +172,9 @@ fn in_the_frame_of_its_group(
 /// The length between the first two pins of a drawn link, where no group has it as a bar between them.
 fn length_as_drawn(scope: &mut Scope<'_>, carrier: Carrier) -> Option<Scalar> {
     let (Some(drawn), Carrier::Link(link)) = (scope.drawn, carrier) else { return None };
-    let length = drawn.length_of(&scope.mechanism.links[link.index()].name)?;
-    numbers::length(scope, length)
+    let name = &scope.mechanism.links[link.index()].name;
+    let bar = drawn.bars.iter().find(|bar| bar.link == *name)?;
+    numbers::length(scope, &bar.length)
 }
 
 /// Distances from both ends of a bar as coordinates from its first. With a, b from both and l between them,

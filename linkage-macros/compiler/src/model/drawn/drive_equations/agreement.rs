@@ -16,7 +16,8 @@ use crate::model::drawn::drive_equations::motions::{slid_by, turned_by};
 use crate::model::drawn::outline::bodies::Bodies;
 use crate::model::drawn::outline::lengths::in_words;
 use crate::model::drawn::outline::messages::drive_as_written;
-use crate::model::drawn::reading::values::Measured;
+use crate::model::drawn::reading::values::{Measured, value};
+use crate::model::mechanism::{Mechanism, Scalar};
 
 /// The angle, the part of the machine's size and that of a length by which a drive may differ from the drawing: about
 /// what a drawing is off by whose small links are drawn to two digits.
@@ -36,18 +37,20 @@ enum Given {
 }
 
 /// A drive, a driven length, or what a declaration by hand drives, and its value in the drawing.
-pub(in crate::model::drawn) struct DrawnEquation<'t> {
-    pub value: &'t Expr,
+struct DrawnEquation<'t> {
+    value: &'t Expr,
+    /// It by the inputs, links standing as they are drawn; none where it is no number.
+    number: Option<Scalar>,
     drawn: f64,
     given: Given,
     /// The body that is driven.
     body: usize,
-    pub is_angle: bool,
+    is_angle: bool,
 }
 
 impl DrawnEquation<'_> {
     /// The difference of a value from the drawing; angles differ by less than half a turn.
-    pub(in crate::model::drawn) fn off(&self, value: f64) -> f64 {
+    fn off(&self, value: f64) -> f64 {
         let off = value - self.drawn;
         if self.is_angle { off - TAU * (off / TAU).round() } else { off }
     }
@@ -75,44 +78,40 @@ impl DrawnEquation<'_> {
     }
 }
 
-fn equations<'t>(bodies: &Bodies<'t>) -> Option<Vec<DrawnEquation<'t>>> {
+fn equations<'t>(bodies: &Bodies<'t>) -> Vec<DrawnEquation<'t>> {
     let mut equations = Vec::new();
     for (index, (_, drive)) in bodies.drives.iter().enumerate() {
-        let driving = &bodies.machine.drives[index];
-        equations.push(DrawnEquation {
-            value: &drive.value,
-            drawn: bodies.drawn_value(index)?,
-            given: Given::Drive(index),
-            body: driving.bodies[0],
-            is_angle: driving.kind == Driven::Angle,
-        });
+        let Driving { kind, bodies: [body, _], .. } = bodies.machine.drives[index];
+        let (drawn, given) = (bodies.drawn_value(index), Given::Drive(index));
+        let is_angle = kind == Driven::Angle;
+        equations.push(equation(&drive.value, drawn, (given, body), is_angle));
     }
     for (index, link) in bodies.links.iter().enumerate() {
-        if let Some((length, None)) = &link.length {
-            let [first, second] = link.pins[..] else { continue };
+        if let (Some((length, None)), &[first, second]) = (&link.length, &link.pins[..]) {
             let between = bodies.machine.pins[second] - bodies.machine.pins[first];
-            let (drawn, body) = (between.length(), index + 1);
-            equations.push(DrawnEquation {
-                value: length,
-                drawn,
-                given: Given::Length,
-                body,
-                is_angle: false,
-            });
+            equations.push(equation(length, between.length(), (Given::Length, index + 1), false));
         }
         equations.extend(by_hand(bodies, index + 1));
     }
-    Some(equations)
+    equations
+}
+
+fn equation(
+    value: &Expr,
+    drawn: f64,
+    (given, body): (Given, usize),
+    is_angle: bool,
+) -> DrawnEquation<'_> {
+    DrawnEquation { value, number: None, drawn, given, body, is_angle }
 }
 
 /// The numbers that drive a body that is declared by hand, where the drawing says where it is: a point, a crank against
 /// the ground, a slider on a guide of the ground.
 fn by_hand<'t>(bodies: &Bodies<'t>, body: usize) -> Vec<DrawnEquation<'t>> {
     let link = bodies.link(body);
-    let equation =
-        |value, drawn, given, is_angle| DrawnEquation { value, drawn, given, body, is_angle };
+    let equation = |value, drawn, given, is_angle| equation(value, drawn, (given, body), is_angle);
     let place = |name: &Ident| {
-        let pin = bodies.pins.iter().position(|pin| pin.name == *name && pin.on.is_none());
+        let pin = bodies.pin(name).filter(|&pin| bodies.pins[pin].on.is_none());
         pin.map(|pin| bodies.machine.pins[pin])
     };
     match &bodies.tree.statements[link.statement].kind {
@@ -145,27 +144,30 @@ fn by_hand<'t>(bodies: &Bodies<'t>, body: usize) -> Vec<DrawnEquation<'t>> {
     }
 }
 
+/// The equations of a drawing, which give its inputs.
+pub(super) struct DriveEquations<'b, 't> {
+    bodies: &'b Bodies<'t>,
+    mechanism: &'b Mechanism,
+    all: Vec<DrawnEquation<'t>>,
+}
+
 impl Measured<'_> {
+    fn equations<'b, 't>(&'b mut self, bodies: &'b Bodies<'t>) -> DriveEquations<'b, 't> {
+        let mut all = equations(bodies);
+        for equation in &mut all {
+            let value = bodies.as_drawn(equation.value, &self.pen, &[]);
+            equation.number = self.by_inputs(&value);
+        }
+        DriveEquations { bodies, mechanism: self.mechanism(), all }
+    }
+
     /// The inputs at which the drives are as they are drawn; `None` where the drives do not determine
     /// them.
     pub(in crate::model::drawn) fn inputs_of_the_drawing(
         &mut self,
         bodies: &Bodies<'_>,
     ) -> Option<Vec<f64>> {
-        let equations = equations(bodies)?;
-        let count = self.mechanism().inputs.len();
-        // A function may be none where its secant ends.
-        let rows = self.rows(bodies, &equations);
-        let Some(rows) = rows.clone().filter(|rows| self.are_linear(bodies, &equations, rows))
-        else {
-            let secant = rows.and_then(|rows| solved(rows, count));
-            return self.approached(bodies, &equations, secant.map(|solution| solution.inputs));
-        };
-        let Solution { inputs, .. } = solved(rows.clone(), count)?;
-        if self.disagreement(bodies, &equations, &inputs).is_none() {
-            return Some(inputs);
-        }
-        Some(self.turned_on(bodies, &equations, &rows).unwrap_or(inputs))
+        self.equations(bodies).inputs()
     }
 
     /// The values of drives at the inputs of the drawing, with the whole turns of those whose angles they read.
@@ -175,8 +177,7 @@ impl Measured<'_> {
         inputs: Option<&[f64]>,
     ) -> Vec<f64> {
         let count = bodies.drives.len();
-        let drawn = (0..count).map(|drive| bodies.drawn_value(drive).unwrap_or_default());
-        let mut values: Vec<_> = drawn.collect();
+        let mut values: Vec<_> = (0..count).map(|drive| bodies.drawn_value(drive)).collect();
         let Some(inputs) = inputs else { return values };
         let mut turns = vec![0.0; bodies.frames.len()];
         // A drive may read what another one turns.
@@ -196,22 +197,64 @@ impl Measured<'_> {
         values
     }
 
+    /// Reports a drive or a length that contradicts the drawing, or that no input brings to where it is drawn; `None`
+    /// where there is one.
+    pub(in crate::model::drawn) fn drives_agree(&mut self, bodies: &Bodies<'_>) -> Option<()> {
+        let Some((at, message, reason)) = self.equations(bodies).contradiction() else {
+            return Some(());
+        };
+        self.scope.diagnostics.error_because(at, message, reason);
+        None
+    }
+}
+
+impl DriveEquations<'_, '_> {
+    fn inputs(&self) -> Option<Vec<f64>> {
+        let count = self.count();
+        // A function may be none where its secant ends.
+        let rows = self.rows();
+        let Some(rows) = rows.clone().filter(|rows| self.are_linear(rows)) else {
+            let secant = rows.and_then(|rows| solved(rows, count));
+            return self.approached(secant.map(|solution| solution.inputs));
+        };
+        let Solution { inputs, .. } = solved(rows.clone(), count)?;
+        if self.disagreement(&inputs).is_none() {
+            return Some(inputs);
+        }
+        Some(self.turned_on(&rows).unwrap_or(inputs))
+    }
+
+    /// The count of inputs.
+    pub(super) fn count(&self) -> usize {
+        self.mechanism.inputs.len()
+    }
+
+    /// The count of equations.
+    pub(super) fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// The value of an equation at these inputs.
+    fn value(&self, equation: &DrawnEquation<'_>, inputs: &[f64]) -> Option<f64> {
+        value(equation.number.as_ref()?, self.mechanism, inputs)
+    }
+
+    /// The difference of an equation's value at these inputs from the drawing.
+    pub(super) fn off(&self, index: usize, inputs: &[f64]) -> Option<f64> {
+        let equation = &self.all[index];
+        self.value(equation, inputs).map(|value| equation.off(value))
+    }
+
     /// True if all equations are, as all but few are: their inputs are those of one system.
-    fn are_linear(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-        rows: &[Vec<f64>],
-    ) -> bool {
+    fn are_linear(&self, rows: &[Vec<f64>]) -> bool {
         // No place where a function that bends comes back to its secant.
         const ELSEWHERE: [f64; 3] = [0.618, -0.773, 2.236];
-        let count = self.mechanism().inputs.len();
-        equations.iter().zip(rows).all(|(equation, row)| {
-            let value = bodies.as_drawn(equation.value, &self.pen, &[]);
+        let count = self.count();
+        self.all.iter().zip(rows).all(|(equation, row)| {
             ELSEWHERE.iter().all(|&at| {
                 let terms = row[..count].iter().map(|coefficient| coefficient * at);
                 let linear = equation.drawn - row[count] + terms.sum::<f64>();
-                let found = self.at_inputs(&value, &vec![at; count]);
+                let found = self.value(equation, &vec![at; count]);
                 // Sums of a few numbers of the machine's size are rounded by less.
                 found.is_some_and(|found| (found - linear).abs() <= 1e-9 * (1.0 + found.abs()))
             })
@@ -219,14 +262,9 @@ impl Measured<'_> {
     }
 
     /// The inputs where an angle is drawn that is whole turns less than that of its drive.
-    fn turned_on(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-        rows: &[Vec<f64>],
-    ) -> Option<Vec<f64>> {
-        let count = self.mechanism().inputs.len();
-        let angles = equations.iter().enumerate().filter(|(_, equation)| equation.is_angle);
+    fn turned_on(&self, rows: &[Vec<f64>]) -> Option<Vec<f64>> {
+        let count = self.count();
+        let angles = self.all.iter().enumerate().filter(|(_, equation)| equation.is_angle);
         let ways = (-TURNS..=TURNS).filter(|turns| *turns != 0);
         let tried =
             ways.flat_map(|turns| angles.clone().map(move |(index, _)| (index, f64::from(turns))));
@@ -234,7 +272,7 @@ impl Measured<'_> {
             let mut rows = rows.to_vec();
             rows[index][count] += TAU * turns;
             let Solution { inputs, .. } = solved(rows, count)?;
-            self.disagreement(bodies, equations, &inputs).is_none().then_some(inputs)
+            self.disagreement(&inputs).is_none().then_some(inputs)
         });
         // The one nearest to zero, as angles of the drawing are.
         let size = |inputs: &Vec<f64>| inputs.iter().map(|input| input.abs()).sum::<f64>();
@@ -242,88 +280,61 @@ impl Measured<'_> {
     }
 
     /// The equations over the inputs, each with its right side last.
-    fn rows(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-    ) -> Option<Vec<Vec<f64>>> {
-        let count = self.mechanism().inputs.len();
-        let mut rows = Vec::new();
-        for equation in equations {
-            let value = bodies.as_drawn(equation.value, &self.pen, &[]);
-            let mut inputs = vec![0.0; count];
-            let rest = self.at_inputs(&value, &inputs)?;
+    fn rows(&self) -> Option<Vec<Vec<f64>>> {
+        let row = |equation: &DrawnEquation<'_>| {
+            let mut inputs = vec![0.0; self.count()];
+            let rest = self.value(equation, &inputs)?;
             let mut row = Vec::new();
-            for input in 0..count {
+            for input in 0..inputs.len() {
                 inputs[input] = 1.0;
-                row.push(self.at_inputs(&value, &inputs)? - rest);
+                row.push(self.value(equation, &inputs)? - rest);
                 inputs[input] = 0.0;
             }
             row.push(equation.drawn - rest);
-            rows.push(row);
-        }
-        Some(rows)
+            Some(row)
+        };
+        self.all.iter().map(row).collect()
     }
 
     /// The last equation that does not hold in the drawing, and its value there.
-    fn disagreement(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-        inputs: &[f64],
-    ) -> Option<(usize, f64)> {
-        equations.iter().enumerate().rev().find_map(|(index, equation)| {
-            let value = bodies.as_drawn(equation.value, &self.pen, &[]);
-            let value = self.at_inputs(&value, inputs)?;
+    fn disagreement(&self, inputs: &[f64]) -> Option<(usize, f64)> {
+        self.all.iter().enumerate().rev().find_map(|(index, equation)| {
+            let value = self.value(equation, inputs)?;
             let unit = match equation.given {
                 _ if equation.is_angle => 1.0,
                 Given::Length => equation.drawn,
-                _ => bodies.machine.size(),
+                _ => self.bodies.machine.size(),
             };
             (equation.off(value).abs() > CARELESS * unit).then_some((index, value))
         })
     }
 
-    /// Reports a drive or a length that contradicts the drawing; `None` where there is one.
-    pub(in crate::model::drawn) fn drives_agree(&mut self, bodies: &Bodies<'_>) -> Option<()> {
-        let equations = equations(bodies)?;
-        let Some(inputs) = self.inputs_of_the_drawing(bodies) else {
-            return self.can_be_as_drawn(bodies, &equations);
+    /// The message about a drive or a length that contradicts the drawing, or that no input brings to where it is drawn,
+    /// and where it stands; none where there is none.
+    fn contradiction(&self) -> Option<(Extent, String, String)> {
+        let (index, value) = match self.inputs() {
+            Some(inputs) => {
+                let (index, value) = self.disagreement(&inputs)?;
+                (index, Some(value))
+            }
+            None => (self.never_as_drawn()?, None),
         };
-        let Some((index, value)) = self.disagreement(bodies, &equations, &inputs) else {
-            return Some(());
+        let equation = &self.all[index];
+        let (link, told) = (self.bodies.name(equation.body), equation.told(self.bodies));
+        let drawn = equation.in_words(equation.drawn);
+        let (message, reason) = match value.map(|value| equation.in_words(value)) {
+            Some(value) => (
+                format!(
+                    "{told} contradicts the drawing: it is {value} where the others are as drawn, and drawn as {drawn}"
+                ),
+                format!("draw {link} there, or change the value: in the drawing every drive holds"),
+            ),
+            None => (
+                format!("{told} cannot be as drawn: no input was found at which it is {drawn}"),
+                format!("draw {link} where its value takes it, or change the value"),
+            ),
         };
-        let equation = &equations[index];
-        let link = bodies.name(equation.body);
-        let told = equation.told(bodies);
-        let message = format!(
-            "{told} contradicts the drawing: it is {} where the others are as drawn, and drawn as {}",
-            equation.in_words(value),
-            equation.in_words(equation.drawn)
-        );
-        let reason =
-            format!("draw {link} there, or change the value: in the drawing every drive holds");
-        let span: Extent = equation.value.span;
-        self.scope.diagnostics.error_because(span, message, reason);
-        None
-    }
-
-    /// Reports a drive or a length that no input brings to where it is drawn; `None` where there is one.
-    fn can_be_as_drawn(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-    ) -> Option<()> {
-        let Some(index) = self.never_as_drawn(bodies, equations) else { return Some(()) };
-        let equation = &equations[index];
-        let (told, drawn) = (equation.told(bodies), equation.in_words(equation.drawn));
-        let message =
-            format!("{told} cannot be as drawn: no input was found at which it is {drawn}");
-        let link = bodies.name(equation.body);
-        let reason = format!("draw {link} where its value takes it, or change the value");
-        let span: Extent = equation.value.span;
-        self.scope.diagnostics.error_because(span, message, reason);
-        None
+        Some((equation.value.span, message, reason))
     }
 }
 
@@ -333,13 +344,13 @@ fn degrees(angle: f64) -> String {
 }
 
 /// The solution of linear equations, and the places of those that determine it.
-pub(in crate::model::drawn) struct Solution {
+pub(super) struct Solution {
     pub inputs: Vec<f64>,
     pub decided_by: Vec<usize>,
 }
 
 /// The solution of linear equations, each with its right side last; `None` where there is not exactly one.
-pub(in crate::model::drawn) fn solved(mut rows: Vec<Vec<f64>>, count: usize) -> Option<Solution> {
+pub(super) fn solved(mut rows: Vec<Vec<f64>>, count: usize) -> Option<Solution> {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     for column in 0..count {
         // The first that says something of the input, so that a later one is what contradicts it. Coefficients are ratios

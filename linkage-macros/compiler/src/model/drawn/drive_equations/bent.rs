@@ -1,8 +1,6 @@
 //! The inputs of a drawing whose drives are no linear functions of them.
 
-use crate::model::drawn::drive_equations::agreement::{DrawnEquation, Solution, solved};
-use crate::model::drawn::outline::bodies::Bodies;
-use crate::model::drawn::reading::values::Measured;
+use crate::model::drawn::drive_equations::agreement::{DriveEquations, Solution, solved};
 
 /// The most steps of Newton's method, and the halvings of each.
 const STEPS: usize = 40;
@@ -15,31 +13,20 @@ const STARTS: [f64; 9] = [0.0, 0.1, -0.1, 0.5, -0.5, 1.5, -1.5, 3.0, -3.0];
 /// The part of one by which drives may be off at the inputs of a drawing: rounding of numbers of the machine's size.
 const OFF: f64 = 1e-9;
 
-impl Measured<'_> {
+impl DriveEquations<'_, '_> {
     /// The inputs that Newton's method finds from the secants' root, or from the first place of some about zero.
-    pub(in crate::model::drawn) fn approached(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-        secant: Option<Vec<f64>>,
-    ) -> Option<Vec<f64>> {
-        let count = self.mechanism().inputs.len();
-        let starts = secant.into_iter().chain(STARTS.map(|start| vec![start; count]));
-        starts.into_iter().find_map(|start| self.newton(bodies, equations, start))
+    pub(super) fn approached(&self, secant: Option<Vec<f64>>) -> Option<Vec<f64>> {
+        let starts = secant.into_iter().chain(STARTS.map(|start| vec![start; self.count()]));
+        starts.into_iter().find_map(|start| self.newton(start))
     }
 
     /// Newton's method from these inputs, each step halved until the drives come nearer to what is drawn.
-    fn newton(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-        mut inputs: Vec<f64>,
-    ) -> Option<Vec<f64>> {
+    fn newton(&self, mut inputs: Vec<f64>) -> Option<Vec<f64>> {
         for _ in 0..STEPS {
             let Solution { inputs: step, decided_by } =
-                solved(self.slopes(bodies, equations, &inputs)?, inputs.len())?;
-            let mut off = |inputs: &[f64]| {
-                let offs = decided_by.iter().map(|&i| self.off(bodies, &equations[i], inputs));
+                solved(self.slopes(&inputs)?, inputs.len())?;
+            let off = |inputs: &[f64]| {
+                let offs = decided_by.iter().map(|&equation| self.off(equation, inputs));
                 offs.map(|off| Some(off?.abs())).sum::<Option<f64>>()
             };
             let before = off(&inputs)?;
@@ -58,53 +45,29 @@ impl Measured<'_> {
         None
     }
 
-    /// The difference of an equation's value at these inputs from the drawing.
-    fn off(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equation: &DrawnEquation<'_>,
-        inputs: &[f64],
-    ) -> Option<f64> {
-        let value = bodies.as_drawn(equation.value, &self.pen, &[]);
-        self.at_inputs(&value, inputs).map(|value| equation.off(value))
-    }
-
     /// The slopes of the equations at these inputs, each with what is missing last.
-    fn slopes(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-        inputs: &[f64],
-    ) -> Option<Vec<Vec<f64>>> {
+    fn slopes(&self, inputs: &[f64]) -> Option<Vec<Vec<f64>>> {
         // Central differences are off by the square of it and by rounding over it: about 1e-10.
         const STEP: f64 = 1e-5;
-        let mut rows = Vec::new();
-        for equation in equations {
-            let mut row = Vec::new();
-            for input in 0..inputs.len() {
-                let mut beside = inputs.to_vec();
-                beside[input] += STEP;
-                let ahead = self.off(bodies, equation, &beside)?;
-                beside[input] -= 2.0 * STEP;
-                let behind = self.off(bodies, equation, &beside)?;
-                row.push((ahead - behind) / (2.0 * STEP));
-            }
-            row.push(-self.off(bodies, equation, inputs)?);
-            rows.push(row);
-        }
-        Some(rows)
+        let slope = |equation: usize, input: usize| {
+            let mut beside = inputs.to_vec();
+            beside[input] += STEP;
+            let ahead = self.off(equation, &beside)?;
+            beside[input] -= 2.0 * STEP;
+            Some((ahead - self.off(equation, &beside)?) / (2.0 * STEP))
+        };
+        let row = |equation: usize| {
+            let slopes = (0..inputs.len()).map(|input| slope(equation, input));
+            let missing = self.off(equation, inputs).map(|off| -off);
+            slopes.chain([missing]).collect()
+        };
+        (0..self.len()).map(row).collect()
     }
 
     /// An equation that holds at no input near any start, though some input moves it.
-    pub(in crate::model::drawn) fn never_as_drawn(
-        &mut self,
-        bodies: &Bodies<'_>,
-        equations: &[DrawnEquation<'_>],
-    ) -> Option<usize> {
-        let count = self.mechanism().inputs.len();
-        (0..equations.len()).rev().find(|&index| {
-            let starts = STARTS.map(|start| vec![start; count]);
-            let offs = starts.map(|inputs| self.off(bodies, &equations[index], &inputs));
+    pub(super) fn never_as_drawn(&self) -> Option<usize> {
+        (0..self.len()).rev().find(|&equation| {
+            let offs = STARTS.map(|start| self.off(equation, &vec![start; self.count()]));
             let [Some(first), ..] = offs else { return false };
             let is_moved = offs.iter().flatten().any(|off| (off - first).abs() > OFF);
             let changes_sign = offs.iter().flatten().any(|off| off * first <= 0.0);

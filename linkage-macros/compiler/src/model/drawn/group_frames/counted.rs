@@ -37,16 +37,6 @@ impl GroupFrames<'_, '_> {
         self.counted[body].unwrap_or_else(|| self.bodies.drawn_angle(body))
     }
 
-    /// The angle of a driver against a body.
-    pub(in crate::model::drawn) fn counted_by_drive(
-        &self,
-        drive: usize,
-        body: usize,
-        reference: usize,
-    ) -> f64 {
-        self.counted_by_drives(&[[drive, body]], reference)
-    }
-
     /// The angle of the first of several bodies, each of which a drive turns against the next and the last one against a
     /// reference.
     pub(in crate::model::drawn) fn counted_by_drives(

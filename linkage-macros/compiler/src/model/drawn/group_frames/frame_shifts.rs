@@ -7,12 +7,12 @@ use proc_macro2::Ident;
 
 use crate::chain::machine::GROUND;
 use crate::exact::Exact;
-use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement, StatementKind};
+use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
 use crate::model::drawn::outline::bodies::{Bodies, GuideLine};
 use crate::model::drawn::outline::figures::{Figure, Pen};
 use crate::model::drawn::outline::frames::{DrawnFrame, Heading, Origin};
-use crate::model::drawn_links::{FrameFound, GuideFound};
+use crate::model::drawn_links::FrameFound;
 
 /// The links of a drawing whose group gave them another frame.
 pub(in crate::model::drawn) struct FrameShifts<'b, 't> {
@@ -45,7 +45,7 @@ impl<'b, 't> FrameShifts<'b, 't> {
         let is_made = match &guide.on {
             None => {
                 let pins = &self.bodies.machine.bodies[GROUND].pins;
-                let pin = self.bodies.pins.iter().position(|pin| pin.name == *point);
+                let pin = self.bodies.pin(point);
                 pin.is_none_or(|pin| pins.contains(&pin))
             }
             Some(on) => self.joined.contains(&[on.to_string(), point.to_string()]),
@@ -111,15 +111,15 @@ impl<'b, 't> FrameShifts<'b, 't> {
         }
     }
 
-    /// Places and angles of guides in place of points that the groups have not made of their bodies.
-    pub(in crate::model::drawn) fn guides(&self) -> Vec<GuideFound> {
-        let guides = self.bodies.other_statements().filter_map(|(_, statement)| {
-            let StatementKind::Guide(guide) = &statement.kind else { return None };
-            let (through, along) = (self.through(guide), self.along(guide));
-            let is_found = through.is_some() || along.is_some();
-            is_found.then(|| GuideFound { guide: guide.name.clone(), through, along })
-        });
-        guides.collect()
+    /// Places and angles of a guide in place of points that the groups have not made of its body.
+    pub(in crate::model::drawn) fn tell_places_in(&self, guide: &mut GuideStatement) {
+        let (through, along) = (self.through(guide), self.along(guide));
+        if let Some(through) = through {
+            guide.through = GuideAnchor::At(through);
+        }
+        if let Some(along) = along {
+            guide.course = Course::Along(along);
+        }
     }
 
     fn through(&self, guide: &GuideStatement) -> Option<[Expr; 2]> {

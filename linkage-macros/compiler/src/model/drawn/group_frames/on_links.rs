@@ -14,23 +14,16 @@ impl GroupFrames<'_, '_> {
     pub(in crate::model::drawn) fn bars_between_pins(&self, bars: &[usize]) -> Vec<BarFound> {
         let bodies = 1..self.bodies.machine.bodies.len();
         let others = bodies.filter(|body| !bars.contains(body));
-        others.filter_map(|body| self.bar_between_pins(body)).collect()
-    }
-
-    /// The lengths between the first two pins of links that no group has as bars between them.
-    pub(in crate::model::drawn) fn lengths_between_pins(
-        &self,
-        bars: &[usize],
-    ) -> Vec<(Ident, Expr)> {
-        let bodies = (1..self.bodies.machine.bodies.len()).filter(|body| !bars.contains(body));
-        let lengths = bodies.filter_map(|body| {
+        let bars = others.filter_map(|body| {
             let link = self.bodies.link(body);
             let (&[first, second, ..], false) = (&link.pins[..], link.is_given) else {
                 return None;
             };
-            Some((link.name.clone(), self.length(body, first, second)))
+            let (pins, length) = ([first, second], self.length(body, first, second));
+            let middle = self.middle_between_pins(body, pins, &length);
+            Some(BarFound { link: link.name.clone(), middle, length })
         });
-        lengths.collect()
+        bars.collect()
     }
 
     /// The pins between links that no group has which is declared by hand.
@@ -44,16 +37,20 @@ impl GroupFrames<'_, '_> {
         joints.map(|pin| self.bodies.pins[pin].name.clone()).collect()
     }
 
-    fn bar_between_pins(&self, body: usize) -> Option<BarFound> {
+    fn middle_between_pins(
+        &self,
+        body: usize,
+        [first, second]: [usize; 2],
+        length: &Expr,
+    ) -> Option<[Expr; 2]> {
         let (link, own) = (self.bodies.link(body), self.own[body].as_ref()?);
-        let (&[first, second, ..], false) = (&link.pins[..], link.is_given) else { return None };
         if matches!(link.length, Some((_, None))) {
             return None;
         }
         let pen = self.pen.at(link.name.span());
         let axis = pen.minus(self.place(second), self.place(first));
         let size = pen.size(&axis);
-        let length = Figure::length(self.length(body, first, second), f64::NAN, None);
+        let length = Figure::length(length.clone(), f64::NAN, None);
         let half = pen.div(&length, &pen.whole(2));
         let way = axis.map(|part| pen.mul(&half, &pen.div(&part, &size)));
         let begin = pen.minus(self.place(first), &self.beginning(&pen, body, own));
@@ -62,8 +59,7 @@ impl GroupFrames<'_, '_> {
             Heading::X => middle,
             _ => pen.seen_from(&own.axis, &middle),
         };
-        let middle = middle.map(|number| number.text);
-        Some(BarFound { link: link.name.clone(), middle, length: length.text })
+        Some(middle.map(|number| number.text))
     }
 
     /// Where a pin of a link is that its group makes elsewhere.

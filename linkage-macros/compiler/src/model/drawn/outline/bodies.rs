@@ -38,6 +38,18 @@ pub(in crate::model::drawn) struct LinkOutline<'t> {
     pub is_given: bool,
 }
 
+impl<'t> LinkOutline<'t> {
+    /// A link that a statement of a group makes.
+    pub(in crate::model::drawn) fn given(
+        name: &'t Ident,
+        pins: Vec<usize>,
+        statement: usize,
+    ) -> Self {
+        let (points, on) = (Vec::new(), Vec::new());
+        Self { name, pins, points, on, length: None, statement, is_given: true }
+    }
+}
+
 /// A guide of the drawing.
 pub(in crate::model::drawn) struct GuideLine<'t> {
     pub name: &'t Ident,
@@ -123,15 +135,15 @@ impl<'t> Bodies<'t> {
     }
 
     /// What a drive is in the drawing.
-    pub(in crate::model::drawn) fn drawn_value(&self, drive: usize) -> Option<f64> {
+    pub(in crate::model::drawn) fn drawn_value(&self, drive: usize) -> f64 {
         let Driving { kind, bodies: [body, to], .. } = &self.machine.drives[drive];
         match kind {
             Driven::Angle => {
-                Some(Complex::turned(self.drawn_angle(*body) - self.drawn_angle(*to)).angle())
+                Complex::turned(self.drawn_angle(*body) - self.drawn_angle(*to)).angle()
             }
             Driven::Slide(slide) => {
                 let Slide { through, along, .. } = self.machine.slides[*slide];
-                Some(along.dot(self.drawn_origin(*body) - through))
+                along.dot(self.drawn_origin(*body) - through)
             }
         }
     }
@@ -152,6 +164,11 @@ impl<'t> Bodies<'t> {
             }
             _ => None,
         })
+    }
+
+    /// A pin by its name.
+    pub(in crate::model::drawn) fn pin(&self, name: &Ident) -> Option<usize> {
+        self.pins.iter().position(|pin| pin.name == *name)
     }
 
     /// The body that a link's name stands for.

@@ -11,6 +11,7 @@ use crate::syntax::tree::{
 use crate::model::drawn::outline::figures::Figure;
 use crate::model::drawn::outline::frames::{DrawnFrame, DrawnLine, Heading, Origin};
 use crate::model::drawn::reading::reader::Reader;
+use crate::model::statements::guides::guide_points;
 
 /// The part of a distance by which rounding may miss another.
 const MISSED: f64 = 1e-12;
@@ -84,7 +85,7 @@ fn report_line(reader: &mut Reader<'_, '_, '_>, guide: usize) {
         reader.report(point, message, format!("or towards a point: `towards {point}`"));
         return;
     }
-    let named = written_line(reader, guide).map(|(spot, course)| points_of(spot, course));
+    let named = written_line(reader, guide).map(guide_points);
     if named.into_iter().flatten().flatten().any(|point| reader.pin(point).is_none()) {
         return;
     }
@@ -128,7 +129,7 @@ fn point_of_link(
                 (is_constant && square < -MISSED * a * a).then_some([a, b, long]);
             // Where the distances do not meet is said where the link is placed.
             let y = root(square.max(0.0));
-            [x, if is_left(side) { y } else { -y }].map(|value| pen.drawn(value))
+            [x, if side == "left" { y } else { -y }].map(|value| pen.drawn(value))
         }
         PointPlace::Mistake => return None,
     };
@@ -183,7 +184,9 @@ fn frame_without_pins(
     };
     let carried = reader.guides.iter().position(|guide| guide.on == link + 1);
     let Some(carried) = carried else { return Some(frame) };
-    let Some((GuideAnchor::Point(pin), course)) = written_line(reader, carried) else {
+    let Some(GuideStatement { through: GuideAnchor::Point(pin), course, .. }) =
+        written_line(reader, carried)
+    else {
         return Some(frame);
     };
     let at = reader.values.places.get(&pin.to_string()).cloned()?;
@@ -199,30 +202,12 @@ fn frame_without_pins(
 }
 
 /// The guide's statement.
-fn written_line<'t>(
-    reader: &Reader<'t, '_, '_>,
-    guide: usize,
-) -> Option<(&'t GuideAnchor, &'t Course)> {
+fn written_line<'t>(reader: &Reader<'t, '_, '_>, guide: usize) -> Option<&'t GuideStatement> {
     let wanted = reader.guides[guide].name;
     reader.tree.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::Guide(GuideStatement { name, through, course, .. }) if name == wanted => {
-            Some((through, course))
-        }
+        StatementKind::Guide(guide) if guide.name == *wanted => Some(guide),
         _ => None,
     })
-}
-
-/// The points that a guide runs through and towards, where it names them.
-fn points_of<'t>(spot: &'t GuideAnchor, course: &'t Course) -> [Option<&'t Ident>; 2] {
-    let from = match spot {
-        GuideAnchor::Point(point) => Some(point),
-        _ => None,
-    };
-    let towards = match course {
-        Course::Towards(point) => Some(point),
-        _ => None,
-    };
-    [from, towards]
 }
 
 fn line_of(
@@ -230,7 +215,7 @@ fn line_of(
     guide: usize,
     frames: &[Option<DrawnFrame>],
 ) -> Option<DrawnLine> {
-    let (spot, course) = written_line(reader, guide)?;
+    let statement @ GuideStatement { through: spot, course, .. } = written_line(reader, guide)?;
     let on = reader.guides[guide].on;
     let frame = frames[on].clone();
     let pen = reader.values.pen.at(reader.guides[guide].name.span());
@@ -242,7 +227,8 @@ fn line_of(
         }
         GuideAnchor::Mistake => return None,
     };
-    let [from, towards] = points_of(spot, course).map(|point| pin_named(reader, point?));
+    let pin = |point: Option<&Ident>| reader.pin_of.get(&point?.to_string()).copied();
+    let [from, towards] = guide_points(statement).map(pin);
     let frame = match course {
         Course::Along(_) => frame?,
         // Not needed.
@@ -286,13 +272,4 @@ fn direction(
         }
         Course::Mistake => None,
     }
-}
-
-fn pin_named(reader: &Reader<'_, '_, '_>, name: &Ident) -> Option<usize> {
-    reader.pins.iter().position(|pin| pin.name == *name)
-}
-
-/// True if a point at distances lies on the left of its link, as seen from the first pin.
-fn is_left(side: &Ident) -> bool {
-    side == "left"
 }

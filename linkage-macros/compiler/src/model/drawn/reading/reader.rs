@@ -178,15 +178,8 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                 }
                 let length = self.length_of(statement, link);
                 self.link_of.insert(link.name.to_string(), self.links.len());
-                self.links.push(LinkOutline {
-                    name: &link.name,
-                    pins,
-                    points: Vec::new(),
-                    on: Vec::new(),
-                    length,
-                    statement: index,
-                    is_given: false,
-                });
+                let outline = LinkOutline::given(&link.name, pins, index);
+                self.links.push(LinkOutline { length, is_given: false, ..outline });
             }
         }
     }
@@ -246,15 +239,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             if let StatementKind::Point(PointStatement { name, on: None, .. }) = &statement.kind
                 && let Some(&pin) = self.pin_of.get(&name.to_string())
             {
-                self.links.push(LinkOutline {
-                    name,
-                    pins: vec![pin],
-                    points: Vec::new(),
-                    on: Vec::new(),
-                    length: None,
-                    statement: index,
-                    is_given: true,
-                });
+                self.links.push(LinkOutline::given(name, vec![pin], index));
             }
             let StatementKind::Group(group) = &statement.kind else { continue };
             if self.stands_on_a_drawing(group) {
@@ -266,15 +251,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
                 let pins =
                     pins.filter_map(|pin| self.pin_of.get(&pin.to_string()).copied()).collect();
                 self.link_of.insert(leg.link.to_string(), self.links.len());
-                self.links.push(LinkOutline {
-                    name: &leg.link,
-                    pins,
-                    points: Vec::new(),
-                    on: Vec::new(),
-                    length: None,
-                    statement: index,
-                    is_given: true,
-                });
+                self.links.push(LinkOutline::given(&leg.link, pins, index));
             }
         }
     }
@@ -355,14 +332,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             self.report(name, message, reason);
             return None;
         }
-        let known: Vec<_> = self.pins.iter().map(|pin| pin.name.to_string()).collect();
-        let near = nearest(&name.to_string(), known.iter().map(|name| &name[..]));
-        let message = match near {
-            Some(near) => {
-                format!("no pin named `{name}`; one with a similar name exists: `{near}`")
-            }
-            None => format!("no pin named `{name}`"),
-        };
+        let message = none_is_named("pin", name, self.pins.iter().map(|pin| &pin.name));
         self.report_missing(name, message, format!("say where it is drawn: `pin {name}(…, …);`"));
         None
     }
@@ -384,16 +354,18 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             self.report(name, format!("`{name}` is a point, not a link"), reason);
             return None;
         }
-        let known: Vec<_> = self.links.iter().map(|link| link.name.to_string()).collect();
-        let near = nearest(&name.to_string(), known.iter().map(|name| &name[..]));
-        let message = match near {
-            Some(near) => {
-                format!("no link named `{name}`; one with a similar name exists: `{near}`")
-            }
-            None => format!("no link named `{name}`"),
-        };
+        let message = none_is_named("link", name, self.links.iter().map(|link| link.name));
         let reason = "links are declared with the pins through them: `link BC(B, C);`";
         self.report_missing(name, message, reason.to_string());
         None
+    }
+}
+
+/// The message about a name that is none of these.
+fn none_is_named<'n>(what: &str, name: &Ident, known: impl Iterator<Item = &'n Ident>) -> String {
+    let known: Vec<_> = known.map(ToString::to_string).collect();
+    match nearest(&name.to_string(), known.iter().map(|name| &name[..])) {
+        Some(near) => format!("no {what} named `{name}`; one with a similar name exists: `{near}`"),
+        None => format!("no {what} named `{name}`"),
     }
 }

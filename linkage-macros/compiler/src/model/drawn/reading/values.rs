@@ -8,8 +8,8 @@ use proc_macro2::{Ident, Span};
 use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
 use crate::syntax::tree::{
-    Declaration, Expr, ExprKind, GroundStatement, LetStatement, ParamStatement, PinStatement,
-    Statement, StatementKind, Unwritten,
+    Declaration, Expr, ExprKind, GroundStatement, LetStatement, PinStatement, Statement,
+    StatementKind, Unwritten,
 };
 
 use crate::model::drawn::outline::figures::{Figure, Pen};
@@ -36,17 +36,8 @@ fn numbers_of(tree: &Declaration) -> Declaration {
         let uses_known =
             || names_used(statement).iter().all(|name| known.contains(&name.to_string()));
         let kind = match &statement.kind {
-            StatementKind::Input(input) => StatementKind::Input(input.clone()),
-            StatementKind::Param(ParamStatement { name, kind, default }) => {
-                StatementKind::Param(ParamStatement {
-                    name: name.clone(),
-                    kind: kind.clone(),
-                    default: default.clone(),
-                })
-            }
-            StatementKind::Let(LetStatement { name, value }) if uses_known() => {
-                StatementKind::Let(LetStatement { name: name.clone(), value: value.clone() })
-            }
+            kind @ (StatementKind::Input(_) | StatementKind::Param(_)) => kind.clone(),
+            kind @ StatementKind::Let(_) if uses_known() => kind.clone(),
             StatementKind::Ground(GroundStatement { points })
             | StatementKind::Pin(PinStatement { points }) => {
                 StatementKind::Ground(GroundStatement { points: points.clone() })
@@ -221,9 +212,13 @@ impl<'d> Measured<'d> {
         expr: &Expr,
         inputs: &[f64],
     ) -> Option<f64> {
+        value(&self.by_inputs(expr)?, self.mechanism(), inputs)
+    }
+
+    /// The number that an expression is, whatever the inputs are.
+    pub(in crate::model::drawn) fn by_inputs(&mut self, expr: &Expr) -> Option<Resolved> {
         let resolved = self.quietly(|scope| expressions::quantity(scope, expr))?;
-        resolved.links.is_empty().then_some(())?;
-        value(&resolved.rest, self.mechanism(), inputs)
+        resolved.links.is_empty().then_some(resolved.rest)
     }
 
     /// True if lengths or angles are in error by themselves, which is reported.

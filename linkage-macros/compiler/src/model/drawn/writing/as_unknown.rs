@@ -17,7 +17,7 @@ use crate::model::drawn::outline::figures::sum;
 use crate::model::drawn::outline::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::writing::bars::DrawnBar;
 use crate::model::drawn::writing::followed::{DrawnValues, Fitted, traced_names};
-use crate::model::drawn::writing::group_statement::group_of;
+use crate::model::drawn::writing::group_statement::{group_of, named};
 use crate::model::drawn::writing::writer::Writer;
 use crate::model::mechanism::StandsFor;
 use crate::model::solved_at_once::{TrackedFit, TrackedUnknown};
@@ -26,10 +26,7 @@ impl Writer<'_, '_> {
     /// The unknown that drives a body.
     pub(in crate::model::drawn) fn unknown(&self, body: usize) -> Expr {
         let span = self.frames.name(body).span();
-        let named = |name: &Ident| Expr {
-            kind: ExprKind::Name(Ident::new(&name.to_string(), span)),
-            span: span.into(),
-        };
+        let named = |name: &Ident| named(&Ident::new(&name.to_string(), span));
         if let Some((_, name)) = self.together.iter().find(|(own, _)| *own == body) {
             return named(name);
         }
@@ -49,7 +46,7 @@ impl Writer<'_, '_> {
         let behind = statements.max().unwrap_or(0);
         let (begin, key) = (self.written.len(), self.next_key());
         let Some((_, drive)) = self.bodies.drives.first() else { return };
-        let (drive, drawn) = (drive.value.clone(), self.bodies.drawn_value(0).unwrap_or(0.0));
+        let (drive, drawn) = (drive.value.clone(), self.bodies.drawn_value(0));
         let unknowns: Vec<TrackedUnknown> =
             tracked.unknowns().map(|step| self.tracked_unknown(step)).collect();
         let names: Vec<_> = self.together.iter().map(|(_, name)| name.clone()).collect();
@@ -121,7 +118,7 @@ impl Writer<'_, '_> {
         let drawn = self.drawn(&search.steps[0]);
         let traced = search.following.as_ref().and_then(|following| {
             let drive = self.bodies.drives.first()?.1.value.clone();
-            let drawn = DrawnValues { drive: self.bodies.drawn_value(0)?, unknown: drawn };
+            let drawn = DrawnValues { drive: self.bodies.drawn_value(0), unknown: drawn };
             let names = traced_names(&mut self.names, &unknown);
             let fitted = Fitted { pen: &self.frames.pen, following, drive, drawn, is_angle };
             fitted.statements(&names).into_iter().for_each(|kind| self.put(behind, kind));

@@ -1,8 +1,8 @@
-//! Statements of groups, made of their parts.
+//! Statements of groups, made of their parts, and names in them.
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{GroupField, GroupFieldValue, GroupStatement, Leg};
+use crate::syntax::tree::{Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Leg};
 
 /// The statement of a group.
 pub(in crate::model::drawn) fn group_of(
@@ -23,4 +23,9 @@ pub(in crate::model::drawn) fn group_of(
         head_is_read: true,
         fields_are_read: true,
     }
+}
+
+/// A name as an expression.
+pub(in crate::model::drawn) fn named(name: &Ident) -> Expr {
+    Expr { kind: ExprKind::Name(name.clone()), span: name.span().into() }
 }

@@ -8,13 +8,13 @@ use crate::chain::cutting::{Carried, Dyad, DyadLeg, Found, Pair};
 use crate::chain::limits::sine;
 use crate::chain::machine::{GROUND, Held};
 use crate::syntax::tree::{
-    Expr, ExprKind, GroupFieldValue, LetStatement, PointPlace, PointStatement, StatementKind,
+    Expr, GroupFieldValue, LetStatement, PointPlace, PointStatement, StatementKind,
 };
 
 use crate::model::drawn::outline::figures::{Figure, sum};
 use crate::model::drawn::outline::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::writing::bars::{DrawnBar, HeldBar};
-use crate::model::drawn::writing::group_statement::group_of;
+use crate::model::drawn::writing::group_statement::{group_of, named};
 use crate::model::drawn::writing::writer::{Writer, side};
 
 impl Writer<'_, '_> {
@@ -82,17 +82,17 @@ impl Writer<'_, '_> {
         let statements = [first, second].map(|body| self.bodies.link(body).statement);
         let drive = self.bodies.drives[held.drive].0;
         let behind = statements.into_iter().fold(drive, usize::max);
-        let mut named = |ending: &str, value: Expr| {
+        let mut number = |ending: &str, value: Expr| {
             let name = self.names.made(format!("{name}_{ending}"), "_", name.span());
-            self.put(behind, StatementKind::Let(LetStatement { name: name.clone(), value }));
-            let span = name.span().into();
-            Expr { kind: ExprKind::Name(name), span }
+            let number = named(&name);
+            self.put(behind, StatementKind::Let(LetStatement { name, value }));
+            number
         };
-        let turn = Figure::plain(named("turn", turn), f64::NAN, None);
-        let x = named("x", pen.add(&a, &pen.mul(&b, &pen.cos(&turn))).text);
-        let y = named("y", pen.mul(&b, &pen.sin(&turn)).text);
+        let turn = Figure::plain(number("turn", turn), f64::NAN, None);
+        let x = number("x", pen.add(&a, &pen.mul(&b, &pen.cos(&turn))).text);
+        let y = number("y", pen.mul(&b, &pen.sin(&turn)).text);
         let [x, y] = [x, y].map(|text| Figure::length(text, f64::NAN, None));
-        let length = named("length", pen.hypot(&x, &y).text);
+        let length = number("length", pen.hypot(&x, &y).text);
         let long = Figure::length(length.clone(), f64::NAN, None);
         let place = [x, pen.neg(&y)].map(|part| pen.mul(&a, &pen.div(&part, &long)).text);
         HeldBar { name, length, links, pins, pivot: held.pivot, place }
@@ -208,7 +208,7 @@ impl Writer<'_, '_> {
     }
 
     /// The frame of a link as it is written, at a pin that is made.
-    fn settle_about(&mut self, body: usize, pivot: usize, counted: f64) {
+    pub(super) fn settle_about(&mut self, body: usize, pivot: usize, counted: f64) {
         let (begins, origin) = (Origin::Pin(pivot), self.frames.place(pivot).clone());
         let written = self.bodies.frames[body].clone();
         self.settle(body, DrawnFrame { begins, origin, ..written }, counted);
@@ -228,8 +228,4 @@ impl Writer<'_, '_> {
         self.bar_is_placed(body, from, to);
         self.pin_is_elsewhere(body, to);
     }
-}
-
-fn named(name: &Ident) -> Expr {
-    Expr { kind: ExprKind::Name(name.clone()), span: name.span().into() }
 }

@@ -5,49 +5,33 @@ use proc_macro2::Ident;
 
 use crate::chain::plane::Complex;
 use crate::syntax::anatomy::GroupSpec;
-use crate::syntax::tree::{GroupStatement, StatementKind};
+use crate::syntax::tree::{GroupField, GroupFieldValue, GroupStatement};
 
 use crate::model::drawn::outline::bodies::Bodies;
 use crate::model::drawn::outline::messages::LEAST_SINE;
-use crate::model::mechanism::Sign;
+use crate::model::drawn::writing::group_statement::named;
 
 /// The mode of a group that is declared by hand, where it leaves out one that it needs and all its pins are drawn off its
 /// limit.
-pub(in crate::model::drawn) struct DrawnMode {
-    /// The first link of the group.
-    pub link: Ident,
-    pub mode: Sign,
-    /// Its pin, and its corners where it is drawn as a parallelogram.
-    pub parallel: Option<(Ident, Vec<Ident>)>,
-}
-
-/// The modes that the drawing gives.
-pub(in crate::model::drawn) fn modes(bodies: &Bodies<'_>) -> Vec<DrawnMode> {
-    let groups = bodies.other_statements().filter_map(|(_, statement)| match &statement.kind {
-        StatementKind::Group(group) => Some(group),
-        _ => None,
-    });
-    groups.filter_map(|group| mode(bodies, group)).collect()
-}
-
-fn mode(bodies: &Bodies<'_>, group: &GroupStatement) -> Option<DrawnMode> {
-    GroupSpec::of(&group.keyword.to_string()).filter(|anatomy| anatomy.mode_is_needed())?;
+pub(in crate::model::drawn) fn mode_as_drawn(
+    bodies: &Bodies<'_>,
+    group: &GroupStatement,
+) -> Option<GroupField> {
+    let anatomy = GroupSpec::of(&group.keyword.to_string());
+    let [plus, minus] = anatomy.filter(|anatomy| anatomy.mode_is_needed())?.modes?.words();
     let sine = sine(bodies, group)?;
     if group.fields.iter().any(|field| field.name == "mode") || sine.abs() < LEAST_SINE {
         return None;
     }
-    let mode = if sine > 0.0 { Sign::Plus } else { Sign::Minus };
-    let link = group.legs.first()?.link.clone();
-    Some(DrawnMode { link, mode, parallel: corners_of_group(bodies, group) })
+    let [name, word] =
+        ["mode", if sine > 0.0 { plus } else { minus }].map(|word| Ident::new(word, group.end));
+    Some(GroupField { name, value: GroupFieldValue::One(named(&word)) })
 }
 
 /// The measure of the group in the drawing, whose sign is the mode: the sine between two bars, or the cosine between a
 /// bar and a guide.
 fn sine(bodies: &Bodies<'_>, group: &GroupStatement) -> Option<f64> {
-    let place = |name: &Ident| {
-        let pin = bodies.pins.iter().position(|pin| pin.name == *name)?;
-        Some(bodies.machine.pins[pin])
-    };
+    let place = |name: &Ident| Some(bodies.machine.pins[bodies.pin(name)?]);
     let [first, second] = &group.legs[..] else { return None };
     let (tip, from) = (place(group.pin.as_ref()?)?, place(first.joint.as_ref()?)?);
     let other = second.joint.as_ref()?;
@@ -101,11 +85,13 @@ pub(in crate::model::drawn) fn parallel(
 }
 
 /// The pin of a group with the mode of the drawing, and its corners where it is drawn as a parallelogram.
-fn corners_of_group(bodies: &Bodies<'_>, group: &GroupStatement) -> Option<(Ident, Vec<Ident>)> {
+pub(in crate::model::drawn) fn corners_of_group(
+    bodies: &Bodies<'_>,
+    group: &GroupStatement,
+) -> Option<(Ident, Vec<Ident>)> {
     GroupSpec::of(&group.keyword.to_string()).filter(|anatomy| anatomy.can_be_parallel())?;
-    let place = |name: &Ident| bodies.pins.iter().position(|pin| pin.name == *name);
     let [first, second] = &group.legs[..] else { return None };
     let pin = group.pin.as_ref()?;
-    let pins = [place(first.joint.as_ref()?)?, place(pin)?, place(second.joint.as_ref()?)?];
-    parallel(bodies, pins)
+    let [from, to] = [first, second].map(|leg| bodies.pin(leg.joint.as_ref()?));
+    parallel(bodies, [from?, bodies.pin(pin)?, to?])
 }

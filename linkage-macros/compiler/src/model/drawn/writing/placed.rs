@@ -52,7 +52,7 @@ pub(in crate::model::drawn) fn report_distances_apart(
     for pin in &bodies.pins {
         let (Some((body, _)), Some(lengths)) = (pin.on, pin.apart) else { continue };
         let (link, [a, b, long]) = (bodies.link(body).name, lengths.map(in_words));
-        if bars.iter().any(|bar| bar.link == *link) {
+        if bars.iter().any(|bar| bar.link == *link && bar.middle.is_some()) {
             let message = format!("no point has the distances of `{}`; change them", pin.name);
             let reason = format!("`{link}` is {long}, and the distances are {a} and {b}");
             diagnostics.error_because(pin.name.span(), message, reason);

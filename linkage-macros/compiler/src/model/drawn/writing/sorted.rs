@@ -7,17 +7,16 @@ use proc_macro2::Ident;
 use crate::syntax::tree::{ExprKind, Statement, StatementKind};
 
 use crate::model::drawn::writing::written::Written;
-use crate::model::drawn_links::{DrawnLinks, SlideFound};
+use crate::model::drawn_links::SlideFound;
 use crate::model::references::{expressions, names_used};
 use crate::model::statements::declared_by;
-use crate::model::statements::guides::names_that_place;
 
 /// The statements, each behind those that it needs and else as they stand. What uses a part of a search
 /// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names
 /// are resolved.
 pub(in crate::model::drawn) fn ordered(
     statements: Vec<Written>,
-    links: &DrawnLinks,
+    slides: &[SlideFound],
 ) -> Vec<Statement> {
     let mut makers = HashMap::new();
     for (index, Written { statement, .. }) in statements.iter().enumerate() {
@@ -30,7 +29,7 @@ pub(in crate::model::drawn) fn ordered(
         .iter()
         .enumerate()
         .map(|(index, Written { statement, .. })| {
-            let needed = names_needed(statement, links);
+            let needed = [names_used(statement), joints_read(statement, slides)].concat();
             let made = needed.iter().filter_map(|name| makers.get(&name.to_string()).copied());
             made.filter(|&maker| maker != index).collect()
         })
@@ -83,16 +82,6 @@ fn solves_of_searches(statements: &[Written]) -> HashMap<usize, usize> {
         Some((written.search.filter(|_| is_solve)?, index))
     });
     solves.collect()
-}
-
-/// The names that a statement needs: of a guide those by which it is placed.
-fn names_needed(statement: &Statement, links: &DrawnLinks) -> Vec<Ident> {
-    let mut names = match &statement.kind {
-        StatementKind::Guide(guide) => names_that_place(guide, links.guide(&guide.name)),
-        _ => names_used(statement),
-    };
-    names.extend(joints_read(statement, &links.slides));
-    names
 }
 
 /// The links by whose joints those slide whose slides a statement reads.

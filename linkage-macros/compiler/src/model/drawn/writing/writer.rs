@@ -5,18 +5,17 @@ use proc_macro2::Ident;
 use crate::chain::cutting::{Dyad, Found, Pair};
 use crate::chain::limits::sine;
 use crate::chain::machine::GROUND;
-use crate::syntax::tree::{Expr, ExprKind, GroupFieldValue, Statement, StatementKind};
+use crate::syntax::tree::{Expr, GroupFieldValue, Statement, StatementKind};
 
 use crate::model::as_drawn::SearchFollowed;
 use crate::model::drawn::group_frames::GroupFrames;
 use crate::model::drawn::is_point_of;
 use crate::model::drawn::outline::bodies::Bodies;
 use crate::model::drawn::outline::figures::{Figure, Pen};
-use crate::model::drawn::outline::frames::{DrawnFrame, Origin};
 use crate::model::drawn::writing::bars::DrawnBar;
 use crate::model::drawn::writing::free_names::FreeNames;
-use crate::model::drawn::writing::group_statement::group_of;
-use crate::model::drawn::writing::modes_as_drawn::{DrawnMode, modes, parallel};
+use crate::model::drawn::writing::group_statement::{group_of, named};
+use crate::model::drawn::writing::modes_as_drawn::{corners_of_group, mode_as_drawn, parallel};
 use crate::model::drawn::writing::sorted;
 use crate::model::drawn::writing::written::Written;
 use crate::model::drawn_links::DrawnLinks;
@@ -87,9 +86,6 @@ impl<'b, 't> Writer<'b, 't> {
     pub(in crate::model::drawn) fn declaration(self) -> Translated {
         let (bars, joints) = (self.frames.bars_between_pins(&self.bars), self.frames.joints());
         let angles = self.frames.counted_angles();
-        let (lengths, guides) =
-            (self.frames.lengths_between_pins(&self.bars), self.frames.turns.guides());
-        let modes = modes(self.bodies);
         let Self {
             bodies,
             frames,
@@ -103,22 +99,29 @@ impl<'b, 't> Writer<'b, 't> {
             ..
         } = self;
         for (index, statement) in bodies.other_statements() {
-            if !is_point_of(&replaced, &statement.kind) {
-                written.push(Written { behind: index, search: None, statement: statement.clone() });
+            if is_point_of(&replaced, &statement.kind) {
+                continue;
             }
+            let mut statement = statement.clone();
+            match &mut statement.kind {
+                StatementKind::Group(group) => {
+                    if let Some(mode) = mode_as_drawn(bodies, group) {
+                        links.parallels.extend(corners_of_group(bodies, group));
+                        group.fields.push(mode);
+                    }
+                }
+                StatementKind::Guide(guide) => frames.turns.tell_places_in(guide),
+                _ => {}
+            }
+            written.push(Written { behind: index, search: None, statement });
         }
         written.sort_by_key(|written| written.behind);
         let drawn = bodies.links.iter().filter(|link| !link.is_given);
         let hidden = links.hidden.iter().map(|(name, _)| name);
         links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
         (links.bars, links.joints, links.angles) = (bars, joints, angles);
-        for DrawnMode { link, mode, parallel } in modes {
-            links.modes.push((link, mode));
-            links.parallels.extend(parallel);
-        }
-        (links.names, links.frames, links.lengths, links.guides) =
-            (names.made, frames.turns.found(), lengths, guides);
-        let statements = sorted::ordered(written, &links);
+        (links.names, links.frames) = (names.made, frames.turns.found());
+        let statements = sorted::ordered(written, &links.slides);
         Translated { statements, links, searches, holds_links, misplaced }
     }
 
@@ -192,22 +195,19 @@ impl<'b, 't> Writer<'b, 't> {
     /// Links that are parts of the ground, as cranks that stand still.
     pub(in crate::model::drawn) fn fixed_links(&mut self) {
         for &body in &self.bodies.fixed {
-            let written = self.bodies.frames[body].clone();
+            let axis = &self.bodies.frames[body].axis;
             let pivot = self.bodies.machine.bodies[body].given.as_ref().map(|given| given.pins[0]);
             let Some(pivot) = pivot else { continue };
-            let angle = self.frames.pen.at(self.frames.name(body).span()).angle(&written.axis).text;
+            let angle = self.frames.pen.at(self.frames.name(body).span()).angle(axis).text;
             let fields = vec![("angle", GroupFieldValue::One(angle))];
             let legs =
                 [(body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone())];
             self.group("crank", &legs, None, fields, None);
-            let counted = self.bodies.drawn_angle(body);
-            let (begins, origin) = (Origin::Pin(pivot), self.frames.place(pivot).clone());
-            self.settle(body, DrawnFrame { begins, origin, ..written }, counted);
+            self.settle_about(body, pivot, self.bodies.drawn_angle(body));
         }
     }
 
     fn crank(&mut self, drive: Option<usize>, body: usize, reference: usize, pivot: usize) {
-        let written = self.bodies.frames[body].clone();
         let angle = self.value(drive, body);
         let mut fields = Vec::new();
         let pins = &self.bodies.link(body).pins;
@@ -220,28 +220,19 @@ impl<'b, 't> Writer<'b, 't> {
         }
         fields.push(("angle", GroupFieldValue::One(angle)));
         if reference != GROUND {
-            let name = self.frames.name(reference).clone();
-            let span = name.span().into();
-            fields.push((
-                "relative_to",
-                GroupFieldValue::One(Expr { kind: ExprKind::Name(name), span }),
-            ));
+            let name = named(self.frames.name(reference));
+            fields.push(("relative_to", GroupFieldValue::One(name)));
         }
         let legs = [(body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone())];
         self.group("crank", &legs, tip, fields, drive);
-        let frame = match tip {
-            Some(_) => written,
-            None => DrawnFrame {
-                begins: Origin::Pin(pivot),
-                origin: self.frames.place(pivot).clone(),
-                ..written
-            },
-        };
         let counted = match drive {
-            Some(drive) => self.frames.counted_by_drive(drive, body, reference),
+            Some(drive) => self.frames.counted_by_drives(&[[drive, body]], reference),
             None => self.bodies.drawn_angle(body),
         };
-        self.settle(body, frame, counted);
+        match tip {
+            Some(_) => self.settle(body, self.bodies.frames[body].clone(), counted),
+            None => self.settle_about(body, pivot, counted),
+        }
         self.bars.extend(tip.map(|_| body));
         match drive {
             Some(_) => self.is_driven_by(drive, body),
@@ -320,8 +311,7 @@ impl<'b, 't> Writer<'b, 't> {
         word: &str,
     ) -> (&'static str, GroupFieldValue) {
         let name = Ident::new(word, self.frames.name(body).span());
-        let span = name.span().into();
-        ("mode", GroupFieldValue::One(Expr { kind: ExprKind::Name(name), span }))
+        ("mode", GroupFieldValue::One(named(&name)))
     }
 
     pub(in crate::model::drawn) fn write(
