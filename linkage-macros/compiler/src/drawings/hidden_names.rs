@@ -88,6 +88,23 @@ fn a_traced_unknown_is_a_number_in_every_pose() {
     }
 }
 
+/// The force at the joint of a link that a search left out is the link's, where a block stands for it: as an output, and
+/// in a formula.
+#[test]
+fn the_force_at_an_end_is_that_of_the_link() {
+    for pin in ["A", "B"] {
+        let outputs = format!("output front.{pin}, twice = 2 * front.{pin}.x;");
+        let weight = "mass 1kg on shank at (0, -0.2m); gravity (0, -9.81(m/s^2));";
+        let knee = of(&format!("{KNEE} {weight} {outputs}"));
+        let knee = knee.unwrap_or_else(|told| panic!("{told:?}"));
+        let mut links = knee.mechanism.links.iter();
+        assert!(links.any(|link| link.known_as() == "front" && link.name != "front"));
+        let forces = knee.answers("forces", &[[0.3, 0.5, 0.0]]);
+        let (own, twice) = (forces.named(&format!("front.{pin}.x")), forces.named("twice"));
+        assert!(own.abs() > 0.01 && twice == 2.0 * own, "{pin}: {own}, {twice}");
+    }
+}
+
 /// Friction is refused at joints whose reactions a search or a held pair does not tell, in names of the drawing.
 #[test]
 fn friction_is_refused_by_names_of_the_drawing() {
