@@ -32,13 +32,61 @@ pub(in crate::model::drawn) fn report(
         Trouble::Loose { bodies: those, freedoms } => {
             loose::loose(bodies, those, *freedoms, diagnostics);
         }
-        Trouble::Undecided { bodies: those } => undecided(bodies, those, diagnostics),
-        Trouble::Loaded { bodies: those } => loaded(bodies, those, diagnostics),
-        Trouble::AtDeadPoint { bodies: those } => at_dead_point(bodies, those, diagnostics),
-        Trouble::AtLimits { bodies: those, dyad } => at_limits(bodies, those, *dyad, diagnostics),
-        Trouble::NotAlone { bodies: those, other } => {
-            not_alone(bodies, those, *other, diagnostics);
+        Trouble::Undecided { bodies: those }
+        | Trouble::Loaded { bodies: those }
+        | Trouble::AtDeadPoint { bodies: those }
+        | Trouble::AtLimits { bodies: those, .. }
+        | Trouble::NotAlone { bodies: those, .. } => {
+            let Some(link) = bodies.last_link(those) else { return };
+            let (message, reason) = of_a_group(bodies, (those, trouble));
+            diagnostics.error_because(link.span(), message, reason);
         }
+    }
+}
+
+/// The message about a group of class III that is not solved, and what to do.
+fn of_a_group(
+    bodies: &Bodies<'_>,
+    (those, trouble): (&[usize], &Trouble),
+) -> (String, &'static str) {
+    let all = bodies.listed(those);
+    match trouble {
+        Trouble::Loaded { .. } => (
+            format!(
+                "{all} are one group that no single unknown solves: what pushes in its joints is not known yet"
+            ),
+            "leave out masses and what acts, and the group is solved; or drive another joint",
+        ),
+        Trouble::AtDeadPoint { .. } => (
+            format!("in the drawing {all} are at a dead point, or next to one"),
+            "two ways to assemble them come together there: draw another pose",
+        ),
+        Trouble::AtLimits { dyad, .. } => {
+            let [a, b] = dyad.map(|body| bodies.name(body));
+            let message = format!(
+                "however {all} are taken apart, two links stand in the drawing where their modes come together, \
+                 as {a} and {b} do"
+            );
+            (
+                message,
+                "two bars are in one line there, or a bar is square to its guide: draw another pose",
+            )
+        }
+        Trouble::NotAlone { other, .. } => {
+            let other = other.as_ref().map_or(String::new(), |OtherAssembly { body, turned }| {
+                format!(", {} turned by {}", bodies.name(*body), angle_in_words(*turned))
+            });
+            (
+                format!("{all} can be assembled in another way close to the drawing{other}"),
+                "no interval of an unknown holds the drawing alone: draw a pose where the two are farther \
+                 apart, or declare the groups with `unknown` and `solve`",
+            )
+        }
+        _ => (
+            format!("{all} are one group of class III or higher"),
+            "drive another joint, so that each pair of links stands on what is known; or declare \
+             the groups with `unknown` and `solve`",
+        ),
     }
 }
 
@@ -170,67 +218,6 @@ fn parallel_bar(machine: &Machine, those: &[usize]) -> Option<usize> {
 /// Where the last of some drives stands.
 fn values_span(bodies: &Bodies<'_>, drives: &[usize]) -> Option<crate::diagnostics::Extent> {
     drives.last().map(|&drive| bodies.drives[drive].1.value.span)
-}
-
-fn undecided(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
-    let Some(link) = bodies.last_link(those) else { return };
-    let message = format!("{} are one group of class III or higher", bodies.listed(those));
-    let reason = "drive another joint, so that each pair of links stands on what is known; or declare \
-                  the groups with `unknown` and `solve`";
-    diagnostics.error_because(link.span(), message, reason);
-}
-
-fn loaded(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
-    let Some(link) = bodies.last_link(those) else { return };
-    let message = format!(
-        "{} are one group that no single unknown solves: what pushes in its joints is not known yet",
-        bodies.listed(those)
-    );
-    let reason = "leave out masses and what acts, and the group is solved; or drive another joint";
-    diagnostics.error_because(link.span(), message, reason);
-}
-
-fn at_dead_point(bodies: &Bodies<'_>, those: &[usize], diagnostics: &mut Diagnostics) {
-    let Some(link) = bodies.last_link(those) else { return };
-    let message =
-        format!("in the drawing {} are at a dead point, or next to one", bodies.listed(those));
-    let reason = "two ways to assemble them come together there: draw another pose";
-    diagnostics.error_because(link.span(), message, reason);
-}
-
-fn at_limits(
-    bodies: &Bodies<'_>,
-    those: &[usize],
-    dyad: [usize; 2],
-    diagnostics: &mut Diagnostics,
-) {
-    let Some(link) = bodies.last_link(those) else { return };
-    let [a, b] = dyad.map(|body| bodies.name(body));
-    let all = bodies.listed(those);
-    let message = format!(
-        "however {all} are taken apart, two links stand in the drawing where their modes come together, \
-         as {a} and {b} do"
-    );
-    let reason =
-        "two bars are in one line there, or a bar is square to its guide: draw another pose";
-    diagnostics.error_because(link.span(), message, reason);
-}
-
-fn not_alone(
-    bodies: &Bodies<'_>,
-    those: &[usize],
-    other: Option<OtherAssembly>,
-    diagnostics: &mut Diagnostics,
-) {
-    let Some(link) = bodies.last_link(those) else { return };
-    let all = bodies.listed(those);
-    let other = other.map_or(String::new(), |OtherAssembly { body, turned }| {
-        format!(", {} turned by {}", bodies.name(body), angle_in_words(turned))
-    });
-    let message = format!("{all} can be assembled in another way close to the drawing{other}");
-    let reason = "no interval of an unknown holds the drawing alone: draw a pose where the two are farther \
-                  apart, or declare the groups with `unknown` and `solve`";
-    diagnostics.error_because(link.span(), message, reason);
 }
 
 /// Reports forces in joints that were asked for where bars stand for links that a drive holds together.
