@@ -54,9 +54,9 @@ impl<'s> InputMotion<'s> {
         builder: &'s GraphBuilder<'s>,
         moving: usize,
     ) -> Vec<Self> {
-        let rate = |index| builder.integer(i64::from(index == moving));
-        let inputs = inputs.iter().enumerate();
-        inputs.map(|(index, source)| source.with_rates(rate(index), builder.zero())).collect()
+        let mut moved = Self::at_rest(inputs, builder);
+        moved[moving].jet.rate = builder.integer(1);
+        moved
     }
 
     /// One input at a unit acceleration, all at rest.
@@ -65,9 +65,9 @@ impl<'s> InputMotion<'s> {
         builder: &'s GraphBuilder<'s>,
         moving: usize,
     ) -> Vec<Self> {
-        let accel = |index| builder.integer(i64::from(index == moving));
-        let inputs = inputs.iter().enumerate();
-        inputs.map(|(index, source)| source.with_rates(builder.zero(), accel(index))).collect()
+        let mut moved = Self::at_rest(inputs, builder);
+        moved[moving].jet.accel = builder.integer(1);
+        moved
     }
 
     /// The inputs, standing still.

@@ -7,7 +7,9 @@ use crate::reach::absolute;
 
 use crate::model::coincidence;
 use crate::model::folding::{shown, shown_in_degrees};
-use crate::model::mechanism::{AngleSum, Carrier, GuideId, Length, LinkId, PointId, Scalar};
+use crate::model::mechanism::{
+    AngleSum, Carrier, GuideId, Length, LinkId, Mechanism, PointId, Scalar,
+};
 use crate::model::parts_of_groups::{Dimensions, Parts};
 use crate::model::scope::Scope;
 
@@ -95,9 +97,9 @@ fn group_cannot_be_assembled(scope: &mut Scope<'_>, parts: &Parts, reason: Strin
 }
 
 /// The names of two points as a distance: |BD|.
-pub(super) fn span_of(scope: &Scope<'_>, [from, to]: [PointId; 2]) -> String {
-    let name = |point: PointId| &scope.mechanism.points[point.index()].name;
-    format!("|{}{}|", name(from), name(to))
+pub(super) fn span_of(mechanism: &Mechanism, ends: [PointId; 2]) -> String {
+    let [from, to] = ends.map(|point| &mechanism.points[point.index()].name);
+    format!("|{from}{to}|")
 }
 
 /// A dyad of constants can be assembled. The rule follows from the outer joints and the pin: a bar
@@ -165,7 +167,7 @@ fn bars_meet(
     };
     let distance = dx.hypot(&dy);
     let (sum, difference) = (a.add(b), absolute(&a.sub(b)));
-    let name = span_of(scope, outer);
+    let name = span_of(&scope.mechanism, outer);
     let (a, b, d) = (shown(a), shown(b), shown(&distance));
     if distance.is_zero() {
         let reason =
@@ -223,7 +225,7 @@ fn offset_is_within_reach(
         return Some(());
     };
     let distance = dx.hypot(&dy);
-    let name = span_of(scope, outer);
+    let name = span_of(&scope.mechanism, outer);
     if distance.is_zero() {
         let reason = format!("{name} = 0 m: the bar has no direction");
         return group_cannot_be_assembled(scope, parts, reason);

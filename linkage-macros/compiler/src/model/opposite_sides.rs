@@ -168,7 +168,7 @@ impl<'l> Bars<'l> {
     fn difference(&self, scope: &Scope<'_>, parts: &Parts, corner: Opposite) -> String {
         let bar = self.unequal_side(scope, corner).unwrap_or_default();
         let (_, ends) = self.opposite_side(corner, bar);
-        let (name, side) = (link_name(scope, parts, bar), span_of(scope, ends));
+        let (name, side) = (link_name(scope, parts, bar), span_of(&scope.mechanism, ends));
         match self.excess(scope, corner, bar) {
             Some([length, excess]) => {
                 let than = if excess > 0.0 { "longer" } else { "shorter" };

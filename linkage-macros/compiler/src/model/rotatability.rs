@@ -8,11 +8,11 @@ use crate::reach::absolute;
 use crate::reach::line::BodyLine;
 use crate::reach::turn::{Range, Turn, degrees};
 
-use super::assembly::constants;
+use super::assembly::{constants, span_of};
 use super::folding::shown;
 use super::mechanism::{
     AngleSum, Carrier, Drive, Group, GroupId, GroupName, GuideDirection, GuideId, InputId, LinkId,
-    Mechanism, Mode, Point, PointId, Rotatability, Scalar, Step, Through,
+    Mechanism, Mode, PointId, Rotatability, Scalar, Step, Through,
 };
 use super::scope::Scope;
 use super::touching::in_words;
@@ -83,7 +83,7 @@ impl<'m> Ground<'m> {
                 let (crank, far) = (self.cranks.get(&outer[near])?, outer[1 - near]);
                 let at = self.points.get(&far)?;
                 let lengths = [lengths[near], lengths[1 - near]];
-                let span = span(mechanism, crank.name, far);
+                let span = span_of(mechanism, [crank.name, far]);
                 Some(crank.with_two_bars(*id, at, lengths, &span))
             }
             [first, second] => {
@@ -136,12 +136,6 @@ fn line(
         }
     };
     Some(BodyLine { through, angle })
-}
-
-/// |BD|
-fn span(mechanism: &Mechanism, from: PointId, to: PointId) -> String {
-    let name = |point: PointId| -> &Point { &mechanism.points[point.index()] };
-    format!("|{}{}|", name(from).name, name(to).name)
 }
 
 impl TurningCrank<'_> {

@@ -148,25 +148,24 @@ fn plain_source() -> &'static str {
 
 /// The word of a width that stands for a general one: a number, or a list of them.
 pub(in crate::codegen) fn spelling(width: Width, general: &str) -> &'static str {
-    let words = match width {
-        Width::Double => &DOUBLE,
-        Width::Single => &SINGLE,
-    };
-    let own = words.iter().find(|(word, _)| *word == general);
+    let own = words(width).iter().find(|(word, _)| *word == general);
     own.map(|(_, own)| *own).expect("it is a word of the run-time")
 }
 
 /// A text with the words of a width in the place of the general ones. `@` ends the names of functions and
 /// literals.
 fn of_width(text: &str, width: Width) -> String {
-    let words = match width {
-        Width::Double => &DOUBLE,
-        Width::Single => &SINGLE,
-    };
-    words.iter().fold(text.to_string(), |text, (general, own)| text.replace(general, own))
+    words(width).iter().fold(text.to_string(), |text, (general, own)| text.replace(general, own))
 }
 
 type Spelling = [(&'static str, &'static str); 15];
+
+fn words(width: Width) -> &'static Spelling {
+    match width {
+        Width::Double => &DOUBLE,
+        Width::Single => &SINGLE,
+    }
+}
 
 const DOUBLE: Spelling = [
     ("TYPE", "double precision"),

@@ -189,21 +189,15 @@ impl<'d> Measured<'d> {
     /// which is reported where the groups are resolved.
     pub(in crate::model::drawn) fn length(&mut self, expr: &Expr) -> Option<Figure> {
         let resolved = self.quietly(|scope| numbers::length(scope, expr))?;
-        Some(Figure::length(
-            self.substituted(expr),
-            value(&resolved, self.mechanism(), &[])?,
-            resolved.constant().cloned(),
-        ))
+        let value = value(&resolved, self.mechanism(), &[])?;
+        Some(Figure::length(self.substituted(expr), value, resolved.constant().cloned()))
     }
 
     /// The same for an angle.
     pub(in crate::model::drawn) fn angle(&mut self, expr: &Expr) -> Option<Figure> {
         let resolved = self.quietly(|scope| numbers::plain_angle(scope, expr))?;
-        Some(Figure::plain(
-            self.substituted(expr),
-            value(&resolved, self.mechanism(), &[])?,
-            resolved.constant().cloned(),
-        ))
+        let value = value(&resolved, self.mechanism(), &[])?;
+        Some(Figure::plain(self.substituted(expr), value, resolved.constant().cloned()))
     }
 
     /// The value of an expression at these inputs.
