@@ -155,23 +155,13 @@ pub(in crate::model) fn length_is_positive(
     value: &Scalar,
     what: &str,
 ) -> Option<()> {
-    let (constant, span) = match value {
-        Scalar::Constant(constant) => (constant, expr.span),
-        Scalar::Param(id) => match &scope.mechanism.params[id.index()].kind {
-            ParamKind::Number { default, .. } => (default, scope.facts.params[id.index()].span),
-            _ => return Some(()),
-        },
-        _ => return Some(()),
-    };
-    if constant.signum().is_gt() {
+    let constant = scope.constant_or_default(value, expr.span);
+    let Some((constant, span)) = constant.filter(|(constant, _)| !constant.signum().is_gt()) else {
         return Some(());
-    }
-    if let Scalar::Param(id) = value
-        && std::mem::replace(&mut scope.facts.params[id.index()].blamed, true)
-    {
-        return None;
-    }
+    };
     let message = format!("{what} is {} m; make it greater than zero", shown(constant));
-    scope.diagnostics.error(span, message);
+    if !scope.was_blamed(value) {
+        scope.diagnostics.error(span, message);
+    }
     None
 }

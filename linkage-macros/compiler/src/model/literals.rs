@@ -10,7 +10,7 @@ use crate::syntax::words::UNITS;
 
 use crate::model::dimension::Measure;
 use crate::model::folding::shown;
-use crate::model::mechanism::{Dimension, ParamKind, Scalar};
+use crate::model::mechanism::Dimension;
 use crate::model::names::NUMBERS;
 use crate::model::resolved_expr::{ResolvedExpr, bare_name};
 use crate::model::scope::Scope;
@@ -175,25 +175,14 @@ pub(super) fn bare_angle_is_within_a_turn(
     if quantity.measure != Measure::Bare {
         return Some(());
     }
-    let (value, span) = match &quantity.rest {
-        Scalar::Constant(value) => (value.clone(), at),
-        Scalar::Param(id) => {
-            let facts = &mut scope.facts.params[id.index()];
-            let ParamKind::Number { default, .. } = &scope.mechanism.params[id.index()].kind else {
-                return Some(());
-            };
-            if facts.blamed {
-                return None;
-            }
-            facts.blamed = !within_a_turn(default);
-            (default.clone(), facts.span)
-        }
-        _ => return Some(()),
-    };
-    if within_a_turn(&value) {
+    let value = scope.constant_or_default(&quantity.rest, at);
+    let Some((value, span)) = value.filter(|(value, _)| !within_a_turn(value)) else {
         return Some(());
+    };
+    let value = shown(value);
+    if scope.was_blamed(&quantity.rest) {
+        return None;
     }
-    let value = shown(&value);
     let message = format!("an angle of {value} without a unit; write `{value}deg`");
     let reason = format!("a bare number is SI; if radians are meant, write `{value}rad`");
     scope.diagnostics.error_because(span, message, reason);
@@ -237,15 +226,8 @@ pub(super) fn bare_length_is_as_others(
     if quantity.measure != Measure::Bare {
         return Some(());
     }
-    let (value, span, param) = match &quantity.rest {
-        Scalar::Constant(value) => (value, span, None),
-        Scalar::Param(id) => match &scope.mechanism.params[id.index()].kind {
-            ParamKind::Number { default, .. } => {
-                (default, scope.facts.params[id.index()].span, Some(*id))
-            }
-            _ => return Some(()),
-        },
-        _ => return Some(()),
+    let Some((value, span)) = scope.constant_or_default(&quantity.rest, span) else {
+        return Some(());
     };
     let value = absolute(value);
     let [long, many] = [LONG, MANY].map(Exact::integer);
@@ -254,9 +236,7 @@ pub(super) fn bare_length_is_as_others(
         value.cmp_value(&long).is_lt() || value.cmp_value(&longest.mul(&many)).is_lt()
     });
     if !is_as_others {
-        let is_told = param
-            .is_some_and(|id| std::mem::replace(&mut scope.facts.params[id.index()].blamed, true));
-        if !is_told {
+        if !scope.was_blamed(&quantity.rest) {
             length_needs_its_unit(scope, span, &value, "every length with a unit is much shorter");
         }
         return None;

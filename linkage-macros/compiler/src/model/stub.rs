@@ -130,7 +130,8 @@ fn every_name_is_given(scope: &mut Scope<'_>, tree: &Declaration, with_ground: b
 /// Every effort and reaction, where something may have mass or act.
 fn every_force_of_stub(scope: &mut Scope<'_>, tree: &Declaration) {
     let is_unread = OPENINGS.iter().any(|of| of.acts && tree.unread.may_hold(of.word));
-    if !is_unread && !tree.statements.iter().any(|statement| rules(statement).acts()) {
+    let acts = |statement: &Statement| matches!(&statement.kind, StatementKind::Action(action) if action.acts());
+    if !is_unread && !tree.statements.iter().any(acts) {
         return;
     }
     if scope.mechanism.dynamics.masses.is_empty() {

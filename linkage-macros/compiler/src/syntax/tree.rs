@@ -145,3 +145,10 @@ pub(crate) enum Action {
     /// `stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }`
     Stop(StopStatement),
 }
+
+impl Action {
+    /// True if something has mass or acts by it.
+    pub(crate) fn acts(&self) -> bool {
+        !matches!(self, Self::Gravity(_))
+    }
+}

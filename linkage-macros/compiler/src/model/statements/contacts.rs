@@ -34,10 +34,6 @@ impl Rules for FrictionStatement {
     fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
         // Which links meet at a pin is known when all are: `frictions`.
     }
-
-    fn acts(&self) -> bool {
-        true
-    }
 }
 
 /// A pin's friction as it is written of a link.
@@ -238,7 +234,7 @@ fn only_pair(scope: &mut Scope<'_>, name: &Ident) -> Option<Contact> {
         (&[link], [], Some(against)) if !scope.mechanism.is_loaded_joint(pin) => {
             return Some(Contact::Pin { link, pin, against });
         }
-        (&[], &[link, other], _) if !is_loaded(scope, pin) => {
+        (&[], &[link, other], _) if !scope.mechanism.dynamics.loads_point(pin) => {
             return Some(Contact::Pin { link, pin, against: Carrier::Link(other) });
         }
         _ => {}
@@ -344,11 +340,6 @@ fn pair_at(scope: &mut Scope<'_>, names: &[Ident; 2], pin_name: &Ident) -> Optio
         scope.diagnostics.error_because(pin_name.span(), message, reason);
     }
     found
-}
-
-/// True if a mass or a force is on the pin between two links.
-fn is_loaded(scope: &Scope<'_>, pin: PointId) -> bool {
-    scope.mechanism.dynamics.loads_point(pin)
 }
 
 fn named_link(scope: &Scope<'_>, link: LinkId) -> Ident {

@@ -25,10 +25,6 @@ impl Rules for ForceStatement {
         let force = force(scope, &self.value, self.axes.as_ref(), &self.on);
         scope.mechanism.dynamics.forces.extend(force);
     }
-
-    fn acts(&self) -> bool {
-        true
-    }
 }
 
 impl Rules for ForceBetweenStatement {
@@ -43,10 +39,6 @@ impl Rules for ForceBetweenStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let force = force_between(scope, &self.value, &self.points);
         scope.mechanism.dynamics.forces.extend(force);
-    }
-
-    fn acts(&self) -> bool {
-        true
     }
 }
 

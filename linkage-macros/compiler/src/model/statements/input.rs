@@ -33,11 +33,8 @@ impl Rules for InputStatement {
     }
 }
 
-impl Rules for InputSetStatement {
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
-        // A declaration with sets is resolved once a set, each with inputs of its own.
-    }
-}
+/// A declaration with sets is resolved once a set, each with inputs of its own.
+impl Rules for InputSetStatement {}
 
 fn input(scope: &mut Scope<'_>, docs: &[Attribute], names: &[Ident], kind: Option<&Ident>) {
     let dimension = kind.and_then(|kind| quantity_kind(scope, kind, "input kind", &KINDS));

@@ -9,7 +9,7 @@ use crate::syntax::tree::{Expr, InertiaStatement, MassSite as Written, MassState
 use crate::model::acting::{Magnitude, Mass, MassPlace};
 use crate::model::drawn_sliding;
 use crate::model::folding::shown;
-use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, ParamKind, PointId, Scalar};
+use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, PointId, Scalar};
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
 use crate::model::statements::{Rules, acts, guides};
@@ -35,10 +35,6 @@ impl Rules for MassStatement {
         let mass = mass(scope, &self.value, &self.on, &self.place, self.inertia.as_ref());
         scope.mechanism.dynamics.masses.extend(mass);
     }
-
-    fn acts(&self) -> bool {
-        true
-    }
 }
 
 impl Rules for InertiaStatement {
@@ -53,10 +49,6 @@ impl Rules for InertiaStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let mass = inertia(scope, &self.value, &self.on);
         scope.mechanism.dynamics.masses.extend(mass);
-    }
-
-    fn acts(&self) -> bool {
-        true
     }
 }
 
@@ -140,15 +132,8 @@ pub(in crate::model) fn not_below_zero(
     what: &str,
     name: String,
 ) -> Option<Magnitude> {
-    let (constant, span) = match &value {
-        Scalar::Constant(constant) => (constant, span),
-        Scalar::Param(id) => match &scope.mechanism.params[id.index()].kind {
-            ParamKind::Number { default, .. } => (default, scope.facts.params[id.index()].span),
-            _ => return None,
-        },
-        _ => return Some(Magnitude { value, name }),
-    };
-    if constant.signum().is_lt() {
+    let constant = scope.constant_or_default(&value, span);
+    if let Some((constant, span)) = constant.filter(|(constant, _)| constant.signum().is_lt()) {
         let message = format!("{what} of {}; make it zero or greater", shown(constant));
         scope.diagnostics.error(span, message);
         return None;

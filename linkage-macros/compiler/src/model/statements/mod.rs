@@ -77,7 +77,7 @@ pub(super) trait Rules {
     }
 
     /// Makes what the statement declares, and reports every mistake in it.
-    fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]);
+    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {}
 
     /// The stand-in for one of its names where the statement was not understood.
     fn stand_in(
@@ -87,11 +87,6 @@ pub(super) trait Rules {
         _name: &Ident,
     ) -> Option<Entity> {
         None
-    }
-
-    /// True if something has mass or acts by it.
-    fn acts(&self) -> bool {
-        false
     }
 }
 

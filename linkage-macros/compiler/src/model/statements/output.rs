@@ -25,13 +25,10 @@ use crate::model::{
     dynamics_outputs, effort_formulas, expressions, fits, given, laws, readings, uses,
 };
 
+/// An output may name anything, wherever it stands: [`outputs`] resolves it.
 impl Rules for OutputStatement {
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
         self.items.iter().for_each(|item| f(&item.value));
-    }
-
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {
-        // An output may name anything, wherever it stands: `outputs`.
     }
 }
 

@@ -24,8 +24,6 @@ impl Rules for PinStatement {
         self.points.iter().flat_map(|(_, place)| place).for_each(f);
     }
 
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {}
-
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let by_itself = declared::group_by_itself(scope, "pin", name);
         Some(Entity::Point(declared::new_point(scope, docs, name, PartOf::Pin(by_itself))))
@@ -49,8 +47,6 @@ impl Rules for LinkStatement {
         self.fields.iter().flat_map(GroupStatement::values).for_each(f);
     }
 
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {}
-
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
         let slides = !self.links.iter().find(|link| link.name == *name)?.on.is_empty();
         let by_itself = declared::group_by_itself(scope, "link", name);
@@ -70,6 +66,4 @@ impl Rules for DriveStatement {
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
         f(&self.value);
     }
-
-    fn resolve(&self, _scope: &mut Scope<'_>, _docs: &[Attribute]) {}
 }

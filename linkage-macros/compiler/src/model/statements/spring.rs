@@ -72,10 +72,6 @@ impl Rules for SpringStatement {
         springs.push(Spring { name, docs, ends, stiffness, damping, free });
         Some(Entity::Spring(SpringId(springs.len() as u32 - 1)))
     }
-
-    fn acts(&self) -> bool {
-        true
-    }
 }
 
 fn spring(

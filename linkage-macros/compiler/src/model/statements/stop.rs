@@ -54,10 +54,6 @@ impl Rules for StopStatement {
         stops.push(Stop { name, docs, of, ends, stiffness, damping });
         Some(Entity::Stop(StopId(stops.len() as u32 - 1)))
     }
-
-    fn acts(&self) -> bool {
-        true
-    }
 }
 
 fn stop(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) {

@@ -25,10 +25,6 @@ impl Rules for TorqueStatement {
         let value = acts::acting(scope, &self.value, Dimension::TORQUE);
         scope.mechanism.dynamics.torques.extend(torque(on, None, value));
     }
-
-    fn acts(&self) -> bool {
-        true
-    }
 }
 
 impl Rules for TorqueBetweenStatement {
@@ -43,10 +39,6 @@ impl Rules for TorqueBetweenStatement {
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
         let torque = torque_between(scope, &self.value, &self.bodies);
         scope.mechanism.dynamics.torques.extend(torque);
-    }
-
-    fn acts(&self) -> bool {
-        true
     }
 }
 
