@@ -12,6 +12,7 @@ use crate::syntax::tree::{
     StatementKind,
 };
 
+use crate::model::as_written::text;
 use crate::model::needs::{Needs, maker};
 use crate::model::references::names_used;
 use crate::model::statements::{declared_by, title};
@@ -118,12 +119,8 @@ fn lengths(group: &GroupStatement) -> Option<&[Expr; 2]> {
 /// A number or a name as it was written; what is longer is to be filled in.
 fn written(expr: &Expr) -> String {
     match &expr.kind {
-        ExprKind::Number { digits, units } => match &units[..] {
-            [] => digits.clone(),
-            [(unit, 1)] => format!("{digits}{unit}"),
-            _ => "…".to_string(),
-        },
-        ExprKind::Name(name) => name.to_string(),
+        ExprKind::Number { units, .. } if matches!(units[..], [] | [(_, 1)]) => text(expr),
+        ExprKind::Name(_) => text(expr),
         _ => "…".to_string(),
     }
 }

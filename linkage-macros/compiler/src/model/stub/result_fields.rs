@@ -26,16 +26,8 @@ pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, it
     if has_field(scope, name) || is_formula(scope, name) {
         return;
     }
-    if is_pole(&item.value) {
-        let kind = OutputKind::Pole(Vec::new());
-        scope.mechanism.outputs.push(DeclaredOutput {
-            field: name.clone(),
-            docs: Vec::new(),
-            kind,
-        });
-        return;
-    }
-    if reads_forces(scope, &item.value) && !is_a_quotient_of_rates(&item.value) {
+    let is_pole = is_pole(&item.value);
+    if !is_pole && reads_forces(scope, &item.value) && !is_a_quotient_of_rates(&item.value) {
         let effort = Effort::Formula(FormulaId(scope.mechanism.dynamics.formulas.len() as u32));
         let formula = Formula { value: Scalar::zero(), dimension: NUMBER, reads: Vec::new() };
         scope.mechanism.dynamics.formulas.push(formula);
@@ -45,6 +37,7 @@ pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, it
     let whole =
         named.and_then(|value| scope.names.made(value)).and_then(|it| given::whole(scope, it));
     let kind = match whole {
+        _ if is_pole => OutputKind::Pole(Vec::new()),
         Some(output) => output.kind,
         None if holds_angle(scope, tree, &item.value, tree.statements.len()) => {
             OutputKind::Angle(AngleSum { links: Vec::new(), rest: Scalar::zero() })

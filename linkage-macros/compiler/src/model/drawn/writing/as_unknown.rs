@@ -42,8 +42,7 @@ impl Writer<'_, '_> {
     /// Writes a group that is solved by all its unknowns at once.
     pub(in crate::model::drawn) fn together(&mut self, tracked: &TrackedGroup) {
         let bodies = tracked.bodies();
-        let statements = bodies.iter().map(|&body| self.bodies.link(body).statement);
-        let behind = statements.max().unwrap_or(0);
+        let behind = self.behind(bodies.iter().copied(), None);
         let (begin, key) = (self.written.len(), self.next_key());
         let Some((_, drive)) = self.bodies.drives.first() else { return };
         let (drive, drawn) = (drive.value.clone(), self.bodies.drawn_value(0));
@@ -110,7 +109,7 @@ impl Writer<'_, '_> {
 
     pub(in crate::model::drawn) fn search(&mut self, search: &SearchedGroup) {
         let links = search.bodies();
-        let behind = links.iter().map(|&body| self.bodies.link(body).statement).max().unwrap_or(0);
+        let behind = self.behind(links.iter().copied(), None);
         let begin = self.written.len();
         let is_angle = matches!(search.steps[0], Found::Crank { .. });
         let span = self.frames.name(search.left_out).span();

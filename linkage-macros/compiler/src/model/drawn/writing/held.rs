@@ -66,7 +66,7 @@ impl Writer<'_, '_> {
         held: Held,
         pins: [usize; 2],
     ) -> HeldBar {
-        let [first, second] = links;
+        let [_, second] = links;
         let name = self.free_bar_name(links);
         let pen = self.frames.pen.at(name.span());
         let places = [pins[0], held.pivot, pins[1]].map(|pin| self.frames.place(pin).clone());
@@ -79,9 +79,7 @@ impl Writer<'_, '_> {
         let between = pen.sub(&angles[1], &angles[0]);
         let value = self.value(Some(held.drive), second);
         let turn = if between.is_zero() { value } else { sum(value, between.text) };
-        let statements = [first, second].map(|body| self.bodies.link(body).statement);
-        let drive = self.bodies.drives[held.drive].0;
-        let behind = statements.into_iter().fold(drive, usize::max);
+        let behind = self.behind(links, Some(held.drive));
         let mut number = |ending: &str, value: Expr| {
             let name = self.names.made(format!("{name}_{ending}"), "_", name.span());
             let number = named(&name);
@@ -101,7 +99,7 @@ impl Writer<'_, '_> {
     /// Writes both links behind the group of their bar.
     pub(in crate::model::drawn) fn held_links_follow(&mut self, bar: HeldBar) {
         let HeldBar { name, links: [first, second], pins: [from, to], pivot, place, .. } = bar;
-        let behind = self.bodies.link(first).statement.max(self.bodies.link(second).statement);
+        let behind = self.behind([first, second], None);
         let joint = self.bodies.pins[pivot].name.clone();
         let kind = StatementKind::Point(PointStatement {
             name: joint.clone(),

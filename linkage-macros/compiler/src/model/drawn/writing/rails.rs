@@ -4,10 +4,10 @@ use proc_macro2::Ident;
 
 use crate::chain::cutting::Dyad;
 use crate::syntax::tree::{
-    BinaryOp, Course, Expr, ExprKind, GroupFieldValue, GuideAnchor, GuideStatement, StatementKind,
+    Course, Expr, GroupFieldValue, GuideAnchor, GuideStatement, StatementKind,
 };
 
-use crate::model::drawn::outline::figures::Figure;
+use crate::model::drawn::outline::figures::{Figure, sum};
 use crate::model::drawn::outline::frames::{DrawnFrame, Origin};
 use crate::model::drawn::writing::writer::{Writer, given};
 
@@ -142,7 +142,6 @@ impl Writer<'_, '_> {
             along
         };
         let drawn = pen.add(&along(body), &along(joint.body)).text;
-        let rest = vec![(BinaryOp::Add, value)];
-        Expr { span: drawn.span, kind: ExprKind::Chain(Box::new(drawn), rest) }
+        sum(drawn, value)
     }
 }

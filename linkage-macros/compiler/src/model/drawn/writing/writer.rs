@@ -168,6 +168,16 @@ impl<'b, 't> Writer<'b, 't> {
         });
     }
 
+    /// The last statement of links and a drive.
+    pub(super) fn behind(
+        &self,
+        links: impl IntoIterator<Item = usize>,
+        drive: Option<usize>,
+    ) -> usize {
+        let links = links.into_iter().map(|body| self.bodies.link(body).statement);
+        links.chain(drive.map(|drive| self.bodies.drives[drive].0)).max().unwrap_or(0)
+    }
+
     pub(in crate::model::drawn) fn step(&mut self, step: &Found) {
         match step {
             Found::Crank { drive, body, reference, pivot } => {
@@ -352,9 +362,8 @@ impl<'b, 't> Writer<'b, 't> {
         fields: Vec<(&str, GroupFieldValue)>,
         drive: Option<usize>,
     ) {
-        let links = legs.iter().map(|(body, ..)| self.bodies.link(*body));
-        let drive = drive.map(|drive| self.bodies.drives[drive].0);
-        let behind = links.map(|link| link.statement).chain(drive).max().unwrap_or(0);
+        let links = legs.iter().map(|(body, ..)| *body);
+        let behind = self.behind(links, drive);
         let legs: Vec<_> =
             legs.iter().map(|(_, name, joint)| (name.clone(), joint.clone())).collect();
         let pin = pin.map(|pin| {
