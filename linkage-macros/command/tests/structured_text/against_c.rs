@@ -156,7 +156,7 @@ fn calls(
 ) -> Result<Vec<Call>, String> {
     let mut calls = Vec::new();
     for (function, block) in blocks.iter().enumerate() {
-        let mut random = Random(1000 * seed + function as u64);
+        let mut random = Random::new(1000 * seed + function as u64);
         let mut own: Vec<Call> = Vec::new();
         let call = |given: Vec<f64>, is_strange| -> Result<Call, String> {
             let told =

@@ -72,7 +72,7 @@ fn functions_of_the_run_time_have_the_bits_of_c() {
     let mut project = Project::default();
     project.read(&texts[1].text);
     let machine = Machine { project: &project };
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let (mut given, mut told) = (Vec::new(), Vec::new());
     for nth in 0..60_000 {
         let (name, formal, _) = FUNCTIONS[nth % FUNCTIONS.len()];

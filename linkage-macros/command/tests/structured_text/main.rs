@@ -3,6 +3,9 @@
 //! An evaluator of its own runs it, which stops at what a controller may stop at. `.ci/nightly c` takes every declaration
 //! of the repository; two readers of others take them too, where they are installed.
 
+#[allow(unreachable_pub, reason = "other tests have it in the interface of their crate")]
+#[path = "../../../../tests/src/random.rs"]
+mod random;
 #[path = "../../../../tests/skipped.rs"]
 mod skipped;
 

@@ -3,26 +3,23 @@
 use super::evaluator::{Machine, Stopped, Value};
 use super::in_c::answer;
 use super::reader::{Basic, Unit};
+use crate::random;
 
-/// SplitMix64.
-pub(crate) struct Random(pub u64);
+/// The tests' generator.
+pub(crate) struct Random(random::Random);
 
 impl Random {
-    pub(crate) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ z >> 31
+    pub(crate) fn new(seed: u64) -> Self {
+        Self(random::Random::new(seed))
     }
 
     /// Between −1 and 1.
     pub(crate) fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        2.0 * self.0.unit() - 1.0
     }
 
     pub(crate) fn below(&mut self, end: usize) -> usize {
-        (self.next() % end as u64) as usize
+        (self.0.bits() % end as u64) as usize
     }
 }
 
