@@ -21,7 +21,6 @@ mod reading;
 pub(super) mod writing;
 
 use crate::model::drawn_bodies::Outline;
-use crate::model::drawn_links::DrawnLinks;
 use proc_macro2::Ident;
 
 use crate::chain;
@@ -31,24 +30,15 @@ use crate::syntax::tree::{
     Declaration, LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
 };
 
-use super::as_drawn::SearchFollowed;
 use super::mechanism::{Mechanism, References};
 use outline::bodies::Bodies;
 use reading::reader::Reader;
 use reading::values::Measured;
 pub(crate) use reading::values::value as value_at_defaults;
+use writing::writer::Translated;
 
-/// The declaration of the groups of a drawing.
-struct Translation {
-    tree: Declaration,
-    searches: Vec<SearchFollowed>,
-    links: DrawnLinks,
-    /// True if drives hold links together.
-    holds_links: bool,
-    /// The inputs of the drawn pose, where the drives determine them.
-    inputs: Option<Vec<f64>>,
-    outline: Outline,
-}
+/// The groups of a drawing, the inputs of its pose where the drives determine them, and its bodies.
+type CutDrawing = (Translated, Option<Vec<f64>>, Outline);
 
 /// True if anything of the declaration is drawn.
 pub(super) fn is_drawn(tree: &Declaration) -> bool {
@@ -67,14 +57,16 @@ fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
 /// The mechanism that a drawing means.
 pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
     let turned = reading::couplings::turned_round(tree);
-    let cut = cut(turned.as_ref().unwrap_or(tree), diagnostics)?;
-    let mut mechanism = super::resolve_groups(&cut.tree, diagnostics, &cut.links)?;
+    let (groups, inputs, outline) = cut(turned.as_ref().unwrap_or(tree), diagnostics)?;
+    let Translated { statements, links, searches, holds_links, .. } = groups;
+    let groups = Declaration { statements, ..tree.clone() };
+    let mut mechanism = super::resolve_groups(&groups, diagnostics, &links)?;
     mechanism.references = References::of(tree);
-    mechanism.drawn = cut.inputs;
-    mechanism.outline = Some(cut.outline);
+    mechanism.drawn = inputs;
+    mechanism.outline = Some(outline);
     mechanism.as_drawn.is_found = true;
-    mechanism.as_drawn.searches = cut.searches;
-    if cut.holds_links {
+    mechanism.as_drawn.searches = searches;
+    if holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
         outline::messages::report_held_reactions(tree, &mechanism, diagnostics);
         let asked = std::mem::take(&mut mechanism.dynamics.asked);
@@ -87,7 +79,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 }
 
 /// The drawing as groups; `None` where it is in error, which was reported.
-fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation> {
+fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<CutDrawing> {
     let mut values = Measured::of(tree, diagnostics)?;
     let (mut reader, drives) = Reader::of(tree, &mut values)?;
     if tree.is_damaged {
@@ -110,13 +102,11 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Translation>
     let mut writer = writing::writer::Writer::new(&bodies, &values.pen);
     writer.fixed_links();
     steps.iter().for_each(|step| writer.step(step));
-    let translated = writer.declaration();
-    let writing::writer::Translated { statements, links, searches, holds_links, misplaced } =
-        translated;
-    writing::placed::report_places_of_unplaced(&bodies, &misplaced, values.scope.diagnostics)?;
-    writing::placed::report_distances_apart(&bodies, &links.bars, values.scope.diagnostics)?;
-    let (outline, tree) = (bodies.outline(), Declaration { statements, ..tree.clone() });
-    Some(Translation { tree, searches, links, holds_links, inputs, outline })
+    let groups = writer.declaration();
+    let (misplaced, bars) = (&groups.misplaced, &groups.links.bars);
+    writing::placed::report_places_of_unplaced(&bodies, misplaced, values.scope.diagnostics)?;
+    writing::placed::report_distances_apart(&bodies, bars, values.scope.diagnostics)?;
+    Some((groups, inputs, bodies.outline()))
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.

@@ -11,4 +11,3 @@ pub(in crate::model::drawn) mod placed;
 pub(in crate::model::drawn) mod rails;
 pub(in crate::model::drawn) mod sorted;
 pub(in crate::model::drawn) mod writer;
-pub(in crate::model::drawn) mod written;

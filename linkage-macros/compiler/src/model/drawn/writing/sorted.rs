@@ -6,10 +6,18 @@ use proc_macro2::Ident;
 
 use crate::syntax::tree::{ExprKind, Statement, StatementKind};
 
-use crate::model::drawn::writing::written::Written;
 use crate::model::drawn_links::SlideFound;
 use crate::model::references::{expressions, names_used};
 use crate::model::statements::declared_by;
+
+/// A statement of the groups, before they stand in order.
+pub(in crate::model::drawn) struct Written {
+    /// The statement of the drawing behind which it stands.
+    pub behind: usize,
+    /// The search that it is part of.
+    pub search: Option<usize>,
+    pub statement: Statement,
+}
 
 /// The statements, each behind those that it needs and else as they stand. What uses a part of a search
 /// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names

@@ -16,8 +16,7 @@ use crate::model::drawn::writing::bars::DrawnBar;
 use crate::model::drawn::writing::free_names::FreeNames;
 use crate::model::drawn::writing::group_statement::{group_of, named};
 use crate::model::drawn::writing::modes_as_drawn::{corners_of_group, mode_as_drawn, parallel};
-use crate::model::drawn::writing::sorted;
-use crate::model::drawn::writing::written::Written;
+use crate::model::drawn::writing::sorted::{Written, ordered};
 use crate::model::drawn_links::DrawnLinks;
 
 /// The statements that a drawing became.
@@ -121,7 +120,7 @@ impl<'b, 't> Writer<'b, 't> {
         links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
         (links.bars, links.joints, links.angles) = (bars, joints, angles);
         (links.names, links.frames) = (names.made, frames.turns.found());
-        let statements = sorted::ordered(written, &links.slides);
+        let statements = ordered(written, &links.slides);
         Translated { statements, links, searches, holds_links, misplaced }
     }
 
