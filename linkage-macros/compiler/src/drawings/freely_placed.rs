@@ -35,15 +35,17 @@ impl<'d> Links<'d> {
         [at[first] + cos * x - sin * y, at[first + 1] + sin * x + cos * y]
     }
 
-    /// The pose at a drive from the drawing that Newton's method finds from another one; none where that is far off.
+    /// The pose at a drive from the drawing that Newton's method finds from another one; none where that is far off, or on
+    /// the other side of a dead point.
     pub(super) fn beside(&self, drive: f64, near: &[f64]) -> Option<Coordinates> {
+        let (sign, _) = solved(self.equations(drive, near))?;
         let mut at = near.to_vec();
         for _ in 0..12 {
-            let step = solved(self.equations(drive, &at))?;
+            let (now, step) = solved(self.equations(drive, &at))?;
             at.iter_mut().zip(&step).for_each(|(at, step)| *at -= step);
             if step.iter().all(|step| step.abs() < 1e-11) {
                 let is_near = at.iter().zip(near).all(|(at, near)| (at - near).abs() < 0.1);
-                return is_near.then_some(at);
+                return (is_near && now == sign).then_some(at);
             }
         }
         None
@@ -102,14 +104,16 @@ impl<'d> Links<'d> {
     }
 }
 
-/// The solution of linear equations, a row each; none where there is none.
-fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+/// The solution of linear equations, a row each, behind the sign of their determinant; none where there is none.
+fn solved(mut rows: Vec<Vec<f64>>) -> Option<(bool, Vec<f64>)> {
     let count = rows.len();
+    let mut sign = true;
     for column in 0..count {
         let size = |row: &usize| rows[*row][column].abs();
         let pivot = (column..count).max_by(|a, b| size(a).total_cmp(&size(b)))?;
         rows.swap(pivot, column);
         let own = rows[column].clone();
+        sign ^= (pivot != column) ^ (own[column] < 0.0);
         if own[column].abs() < 1e-12 {
             return None;
         }
@@ -118,5 +122,5 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
             row.iter_mut().zip(&own).for_each(|(entry, own)| *entry -= factor * own);
         }
     }
-    Some(rows.iter().enumerate().map(|(index, row)| row[count] / row[index]).collect())
+    Some((sign, rows.iter().enumerate().map(|(index, row)| row[count] / row[index]).collect()))
 }

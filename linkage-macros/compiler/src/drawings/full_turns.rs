@@ -181,8 +181,12 @@ impl<'m> AllPins<'m> {
     }
 }
 
-/// The crank of a machine shorter than its other links, that more of them turn fully.
-fn with_short_crank(driven: &Driven, random: &mut Random) -> Option<Machine> {
+/// The crank of a machine shorter than its other links, that more of them turn fully; none where it has more than two
+/// joints.
+pub(super) fn places_with_short_crank(
+    driven: &Driven,
+    random: &mut Random,
+) -> Option<Vec<[f64; 2]>> {
     let mut places = drawing(random);
     places.truncate(driven.joints.len());
     let [a, b] = driven.joints[driven.drive];
@@ -194,7 +198,11 @@ fn with_short_crank(driven: &Driven, random: &mut Random) -> Option<Machine> {
     let (length, angle) = (50 + random.below(150), random.below(628));
     let arm = Complex::turned(angle as f64 / 100.0).times(length as f64 / 1000.0);
     places[tip] = [places[driven.drive][0] + arm.x, places[driven.drive][1] + arm.y];
-    Some(kinematic(driven, &places))
+    Some(places)
+}
+
+fn with_short_crank(driven: &Driven, random: &mut Random) -> Option<Machine> {
+    Some(kinematic(driven, &places_with_short_crank(driven, random)?))
 }
 
 /// Six-bars of Stephenson's second kind.

@@ -72,19 +72,33 @@ impl Machine {
 
     /// True if every certificate of Newton's method holds there.
     pub(super) fn is_certified(&self, inputs: &[f64]) -> bool {
-        let values = self.values::<f64>(inputs);
-        let graph = &self.program.graph;
+        self.all_certified(&self.values::<f64>(inputs))
+    }
+
+    fn all_certified<N: Number>(&self, values: &[N]) -> bool {
+        let (graph, zero) = (&self.program.graph, N::exact(&Exact::integer(0)));
         graph.nodes().iter().all(|node| match *node {
             Node::Guard(under, guard) if graph.condition(guard).check == Check::Certified => {
-                values[under.index()] > 0.0
+                // No number is at least what is not a number.
+                let under = &values[under.index()];
+                under.is_at_least(&zero) && !zero.is_at_least(under)
             }
             _ => true,
         })
     }
 
+    /// The pins by name at these inputs, if every certificate of Newton's method holds there.
+    pub(super) fn certified<N: Number>(&self, inputs: &[f64]) -> Option<Vec<(String, [N; 2])>> {
+        let values = self.values::<N>(inputs);
+        self.all_certified(&values).then(|| self.pins_of(&values))
+    }
+
     /// The pins by name, at these inputs. The machine has no parameters.
     pub(super) fn pins<N: Number>(&self, inputs: &[f64]) -> Vec<(String, [N; 2])> {
-        let values = self.values::<N>(inputs);
+        self.pins_of(&self.values::<N>(inputs))
+    }
+
+    fn pins_of<N: Number>(&self, values: &[N]) -> Vec<(String, [N; 2])> {
         let entry = self.program.answer("position").expect("the entry exists");
         let all: Vec<_> = entry.sinks.iter().map(|sink| values[sink.index()].clone()).collect();
         let (mut row, mut pins) = (0, Vec::new());
@@ -123,6 +137,11 @@ impl Machine {
     /// rigid as drawn there, to a part `off` of their size. What is out of reach, or has no root, is not.
     pub(super) fn rigid(&self, inputs: &[f64], off: f64) -> Option<Vec<(String, [f64; 2])>> {
         let now = self.pins::<f64>(inputs);
+        self.are_rigid(&now, off).then_some(now)
+    }
+
+    /// True if these pins keep all those bodies as rigid as drawn.
+    pub(super) fn are_rigid(&self, now: &Places<f64>, off: f64) -> bool {
         let drawn = [self.drawn::<f64>(true), self.drawn::<f64>(false)].concat();
         let at = |pins: &Places<f64>, name: &str| {
             pins.iter().find(|(known, _)| known == name).expect("every pin is an output").1
@@ -135,7 +154,7 @@ impl Machine {
             |[a, b]: [[f64; 2]; 2]| [a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]];
         let size = drawn.iter().flat_map(|(_, at)| at).fold(0.0_f64, |size, x| size.max(x.abs()));
         let behind = self.links_behind();
-        let is_rigid = self.links().iter().all(|(name, pins)| {
+        self.links().iter().all(|(name, pins)| {
             let [first, rest @ ..] = &pins[..] else { return true };
             if behind.contains(name) {
                 return true;
@@ -144,11 +163,10 @@ impl Machine {
                 rest.iter().enumerate().flat_map(|(i, a)| rest[i..].iter().map(move |b| (a, b)));
             pairs.into_iter().all(|(a, b)| {
                 let of = |pins: &Places<f64>| products([a, b].map(|to| vector(pins, first, to)));
-                let (was, is) = (of(&drawn), of(&now));
+                let (was, is) = (of(&drawn), of(now));
                 was.iter().zip(is).all(|(was, is)| (was - is).abs() <= off * size * size)
             })
-        });
-        is_rigid.then_some(now)
+        })
     }
 
     /// The places of the drawing: those of the ground, or of the pins.

@@ -7,6 +7,8 @@
 mod answers;
 mod as_drawn;
 mod carried_links;
+mod certified_reach;
+mod certified_variants;
 mod chains_of_eight;
 mod declared_by_hand;
 mod declared_points;

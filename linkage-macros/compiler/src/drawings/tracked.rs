@@ -7,7 +7,7 @@ use super::machine::{Machine, machine};
 use super::variants::Random;
 
 /// The public gripper that a cylinder drives, in millimetres.
-const GRIPPER: &str = "input s: length; ground A(-46.84mm, 7.47mm), K(0mm, 96.96mm), L(0.9mm, -73.71mm), O(65.19mm, 98.62mm), \
+pub(super) const GRIPPER: &str = "input s: length; ground A(-46.84mm, 7.47mm), K(0mm, 96.96mm), L(0.9mm, -73.71mm), O(65.19mm, 98.62mm), \
     P(66.82mm, -101.05mm); pin B(-0.81mm, 7.46mm), C(-17.01mm, 7.46mm), D(29.02mm, 7.45mm), G(43.11mm, 30.04mm), H(82.46mm, 30.04mm), \
     I(43.11mm, -10.11mm), J(82.46mm, -10.11mm), M(0.2mm, 59.03mm), Q(65.52mm, 57.86mm), S(148.51mm, 43.2mm), T(0.7mm, -35.73mm), \
     V(66.3mm, -37.16mm), X(148.51mm, -22.23mm); guide bore on AB through A towards B; guide left_bar through K towards L; \
@@ -50,14 +50,15 @@ fn a_gripper_is_where_another_program_has_it() {
 }
 
 /// An eight-bar of the list with its index there.
-struct EightBar {
-    index: usize,
-    driven: Driven,
-    places: Vec<[f64; 2]>,
+#[derive(Clone)]
+pub(super) struct EightBar {
+    pub index: usize,
+    pub driven: Driven,
+    pub places: Vec<[f64; 2]>,
 }
 
 /// Those that no single unknown solves.
-fn of_several_unknowns() -> Vec<EightBar> {
+pub(super) fn of_several_unknowns() -> Vec<EightBar> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let drawn = all().iter().enumerate().map(|(index, driven)| EightBar {
         index,
@@ -68,7 +69,7 @@ fn of_several_unknowns() -> Vec<EightBar> {
 }
 
 /// The one of them that is driven at the ground.
-const AT_THE_GROUND: usize = 115;
+pub(super) const AT_THE_GROUND: usize = 115;
 
 /// Rounding of some units in the last place over the smallest slope of a root that is certified.
 const OFF: f64 = 1e-12;
