@@ -1,7 +1,8 @@
 //! Groups that are solved by all their unknowns at once: in both widths, by dual numbers, and beyond their ends.
 
+use linkage_core::find::{OutputError, Search, Trend};
 use linkage_core::range::{Stop, limits};
-use linkage_core::{SolveError, Status, mechanism};
+use linkage_core::{Lanes, Point, SolveError, Status, Tracker, mechanism, unwanted};
 use num_dual::{Dual2_64, Dual64};
 
 include!("../../linkage-macros/command/tests/data/gripper.rs");
@@ -99,6 +100,152 @@ fn beyond_its_way_a_gripper_is_not_certified() {
     }
 }
 
+/// From a millimetre in front of the way to one behind it.
+fn ways<const N: usize>() -> [f64; N] {
+    core::array::from_fn(|part| DRAWN - 1e-3 + (WHOLE + 3e-3) * part as f64 / (N - 1) as f64)
+}
+
+/// No number and none that a machine could have.
+const NONE: [f64; 6] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, -f64::MAX, 1e200];
+
+/// A plain lane has the bits of a single call without fused products, a tracker those of the call; a sweep may fuse
+/// products, whose roots are some units in the last place of the largest coordinate away, times the slopes of the equations.
+/// Without optimisation the numbers of lanes need more than the 2 MB of a test's thread.
+#[test]
+fn sweeps_lanes_and_trackers_answer_as_single_calls() {
+    let thread = std::thread::Builder::new().stack_size(16 << 20);
+    let asked = thread.spawn(asked_in_every_way).expect("it starts").join();
+    asked.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+}
+
+fn asked_in_every_way() {
+    let machine = Gripper::new();
+    let mut tracker = Tracker::new(machine);
+    let given: Vec<f64> = ways::<1002>().into_iter().chain(NONE).collect();
+    let (mut x, mut y) = (vec![0.0; given.len()], vec![0.0; given.len()]);
+    let mut status = vec![Status::default(); given.len()];
+    let out = GripperPosition { S: Point { x: &mut x[..], y: &mut y[..] }, ..unwanted() };
+    machine.sweep_position(&given, out, &mut status, ()).expect("slices of one length");
+    let mut solved = 0;
+    for (four, index) in given.chunks_exact(4).zip((0..).step_by(4)) {
+        let four = Lanes::new([four[0], four[1], four[2], four[3]]);
+        let (lanes, mask) = Gripper::<Lanes<f64, 4>>::default().solve_position(four);
+        let (lane_x, mask) = (lanes.S.x.to_array(), mask.to_array());
+        for lane in 0..4 {
+            let (index, at) = (index + lane, given[index + lane]);
+            let single = machine.position(at);
+            assert_eq!(single.is_ok(), mask[lane], "{at}");
+            assert_eq!(status[index], single.map_or_else(Status::from, |_| Status::Solved), "{at}");
+            assert_eq!(tracker.position(at).is_ok(), single.is_ok(), "{at}");
+            let Ok(single) = single else {
+                assert!(x[index].is_nan() && y[index].is_nan(), "{at}");
+                continue;
+            };
+            let followed = tracker.position(at).expect("it was answered before");
+            assert_eq!(followed.S, single.S, "{at}");
+            let off = [x[index] - single.S.x, y[index] - single.S.y, lane_x[lane] - single.S.x];
+            assert!(off.iter().all(|off| off.abs() < 1e-12), "{off:?} at {at}");
+            solved += 1;
+        }
+    }
+    // All but the millimetre in front of the way and what is behind it.
+    assert!(solved > 970, "{solved}");
+}
+
+/// Between a fifth less and a fifth more of the way out the height rises or falls.
+#[test]
+fn the_way_out_is_found_by_the_height_of_a_jaw() {
+    let machine = Gripper::new();
+    for out in [2e-3, 10e-3, 30e-3, 70e-3] {
+        let at = machine.motion(DRAWN + out, 1.0, 0.0).expect("it is on its way");
+        let (wanted, slope) = (at.position.S.y, at.velocity.S.y);
+        let trend = if slope > 0.0 { Trend::Rising } else { Trend::Falling };
+        let between = [DRAWN + 0.8 * out, DRAWN + 1.2 * out];
+        let found = Search::new(between, trend).find_output(&machine, "S.y", wanted);
+        let off = found.expect("it is between").at - (DRAWN + out);
+        // Rounding of the height over its slope.
+        assert!(off.abs() < 1e-13 * (1.0 + 1.0 / slope.abs()), "{off:e} at {out}");
+    }
+    let beyond = Search::new([DRAWN + 0.1, DRAWN + 0.2], Trend::Rising);
+    let refused = beyond.find_output(&machine, "S.y", 0.0);
+    assert!(
+        matches!(refused, Err(OutputError::Solve(SolveError::NotCertified { .. }))),
+        "{refused:?}"
+    );
+}
+
+/// Beside no numbers, whatever bits an input and a rate have: an answer has numbers alone.
+#[test]
+fn what_is_no_number_is_an_error() {
+    fn answers(s: f64, rate: f64) -> [Result<Vec<f64>, SolveError>; 3] {
+        let machine = Gripper::new();
+        let narrow = Gripper::<f32>::default();
+        let parts = |at: [Point<f64>; 3]| at.iter().flat_map(|at| [at.x, at.y]).collect();
+        let wide = |at: Point<f32>| Point { x: f64::from(at.x), y: f64::from(at.y) };
+        [
+            machine.position(s).map(|at| parts([at.S, at.X, at.D])),
+            machine
+                .motion(s, rate, rate)
+                .map(|at| parts([at.position.S, at.velocity.S, at.acceleration.S])),
+            narrow
+                .motion(s as f32, rate as f32, rate as f32)
+                .map(|at| parts([at.position.S, at.velocity.S, at.acceleration.S].map(wide))),
+        ]
+    }
+    for none in NONE {
+        assert!(answers(none, 1.0).iter().all(Result::is_err), "{none}");
+    }
+    for none in &NONE[..3] {
+        let [at, moved, narrow] = answers(DRAWN + 1e-3, *none);
+        assert!(at.is_ok());
+        for refused in [moved, narrow] {
+            assert!(matches!(refused, Err(SolveError::NotFinite { .. })), "{refused:?} at {none}");
+        }
+    }
+    // Marsaglia's xorshift.
+    let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut random = || {
+        bits ^= bits << 13;
+        bits ^= bits >> 7;
+        bits ^= bits << 17;
+        bits
+    };
+    let mut answered = 0;
+    for _ in 0..20_000 {
+        let s = match random() % 2 {
+            0 => f64::from_bits(random()),
+            _ => DRAWN + WHOLE * (random() >> 11) as f64 / 2_f64.powi(53),
+        };
+        for answer in answers(s, f64::from_bits(random())).into_iter().flatten() {
+            assert!(answer.iter().all(|part| part.is_finite()), "{answer:?} at {s}");
+            answered += 1;
+        }
+    }
+    assert!(answered > 10_000, "{answered}");
+}
+
+/// Within some units in the last place of an end of the way an answer is that of the way, or there is none.
+#[test]
+fn next_to_an_end_what_is_answered_is_the_way() {
+    let machine = Gripper::new();
+    let found = limits(&machine, [DRAWN - 0.01, DRAWN + 0.3]).expect("an interval");
+    for (end, inwards) in [(found[0].from.at, 1e-12), (found[0].to.at, -1e-12)] {
+        let inside = machine.motion(end + inwards, 1.0, 0.0).expect("it is inside");
+        let mut at = end;
+        (0..20).for_each(|_| at = at.next_down());
+        for _ in 0..40 {
+            at = at.next_up();
+            let Ok(next) = machine.position(at) else { continue };
+            let ahead = at - end - inwards;
+            let along = inside.position.S.x + inside.velocity.S.x * ahead;
+            // The end is 1e-8 m or more from a dead point, where S moves 1e4 times as fast as the cylinder and another way to
+            // assemble it is 1e-4 m away: rounding of 1e-17 m, and the second order of 1e-12 m, are below this.
+            let off = (next.S.x - along).abs();
+            assert!(off < 1e-10, "{off:e} at {at}");
+        }
+    }
+}
+
 mechanism! {
     /// Six links of an eight-bar behind a crank that turns fully: no two make a dyad, and no single unknown solves them.
     pub struct EightBar {
@@ -119,8 +266,7 @@ fn a_crank_turns_a_group_of_several_unknowns_fully() {
     let machine = EightBar::new();
     let lengths = |theta: f64| {
         let at = machine.position(theta).unwrap_or_else(|refused| panic!("{refused} at {theta}"));
-        let apart =
-            |p: linkage_core::Point<f64>, q: linkage_core::Point<f64>| (p.x - q.x).hypot(p.y - q.y);
+        let apart = |p: Point<f64>, q: Point<f64>| (p.x - q.x).hypot(p.y - q.y);
         [
             apart(at.P01, at.P02),
             apart(at.P02, at.P04),
