@@ -1,5 +1,6 @@
 //! The groups that are found in a drawing: a part of the struct's documentation, and of no picture or page.
 
+use super::tracked::GRIPPER;
 use super::{machine, textbook};
 use crate::oracle::mechanism;
 use crate::pipeline::{Options, compile};
@@ -67,4 +68,35 @@ fn the_assemblies_of_a_triad_are_counted() {
     assert!(note.message.contains(told), "{}", note.message);
     println!("{} {:?}", note.message, note.note);
     println!("{docs}");
+}
+
+/// A crank, six links that no statement by hand solves, and a dyad behind them.
+const AT_ONCE: &str = "pub struct M { input theta: angle; ground P26(0.885, 0.043), P67(0.743, 0.312), E(2, 1);
+    pin P01(0.102, 0.069), P02(0.935, 0.827), P13(0.6, 0.124), P04(0.09, 0.631), P34(0.207, 0.988), P15(0.884, 0.368),
+        P25(0.535, 0.864), P37(0.703, 0.282), D(1.2, 1.9);
+    link L0(P01, P02, P04), L1(P01, P13, P15), L2(P02, P25, P26), L3(P13, P34, P37);
+    link L4(P04, P34), L5(P15, P25), L7(P37, P67), L8(P02, D), L9(E, D); drive L7.angle = theta; }";
+
+/// Groups that are solved at once are told in words, and nothing claims to be a declaration.
+#[test]
+fn groups_of_several_unknowns_are_told_in_words() {
+    let docs = machine::documentation(&mechanism(AT_ONCE));
+    println!("{docs}");
+    assert!(!docs.contains("mechanism!") && !docs.contains("```"), "{docs}");
+    let all = [
+        "# Groups found in the drawing",
+        "The list is no declaration: no statement by hand solves several unknowns at once.",
+        " - `crank L7(P67)",
+        " together, so that they meet at ",
+        " - `rrr L8(P02), L9(E) -> D { ",
+        "are certified while the first drive goes from -180.0° to 180.0° about the drawing.",
+    ];
+    let places = all.map(|told| docs.find(told).unwrap_or_else(|| panic!("{told} in {docs}")));
+    assert!(places.is_sorted(), "{docs}");
+    let docs = machine::documentation(&mechanism(&format!("pub struct M {{ {GRIPPER} }}")));
+    println!("{docs}");
+    assert!(
+        docs.contains("the first drive goes from -5.5e-6 m to 0.158 m about the drawing."),
+        "{docs}"
+    );
 }

@@ -9,10 +9,12 @@ use syn::{Attribute, parse_quote};
 
 use crate::codegen::docs::numbers_as_declared::{Declared, constant};
 use crate::codegen::docs::powers_of_lengths::DeclaredUnit;
-use crate::model::as_drawn::{SearchFollowed, Stretch};
+use crate::codegen::docs::ranges_in_words::goes;
+use crate::codegen::docs::solved_together;
+use crate::model::as_drawn::SearchFollowed;
 use crate::model::mechanism::{
     AngleSum, Assembly, Carrier, Drive, Group, GuideDirection, Joint, LinkId, Mechanism, Mode,
-    ParamKind, Placement, Scalar, Sign, Slideway, Step, Through, Tracked, Unknown,
+    ParamKind, Placement, Scalar, Sign, Slideway, Step, Through, Unknown,
 };
 use crate::model::mechanism::{Dimension, Equation};
 use crate::model::modes::PARALLEL;
@@ -30,10 +32,25 @@ fn lines(mechanism: &Mechanism) -> Vec<String> {
     if !mechanism.as_drawn.is_found {
         return Vec::new();
     }
+    let mut lines =
+        vec![String::new(), " # Groups found in the drawing".to_string(), String::new()];
+    lines.extend(match mechanism.tracked.is_empty() {
+        true => declaration(mechanism),
+        false => {
+            let mut declared = declared(mechanism);
+            solved_together::lines(mechanism, |place| moving(&mut declared, place))
+        }
+    });
+    for search in &mechanism.as_drawn.searches {
+        lines.extend([String::new(), followed(search)]);
+        lines.extend(assembled(search));
+    }
+    lines
+}
+
+/// The groups as a declaration.
+fn declaration(mechanism: &Mechanism) -> Vec<String> {
     let mut lines = vec![
-        String::new(),
-        " # Groups found in the drawing".to_string(),
-        String::new(),
         " The links and joints of the drawing are these drivers and groups:".to_string(),
         String::new(),
         " ```text".to_string(),
@@ -43,12 +60,6 @@ fn lines(mechanism: &Mechanism) -> Vec<String> {
     let statements = statements(mechanism).into_iter();
     lines.extend(statements.map(|statement| format!("         {statement}")));
     lines.extend(["     }", " }", " ```"].map(String::from));
-    lines
-        .extend(mechanism.tracked.iter().flat_map(|group| [String::new(), solved_together(group)]));
-    for search in &mechanism.as_drawn.searches {
-        lines.extend([String::new(), followed(search)]);
-        lines.extend(assembled(search));
-    }
     lines
 }
 
@@ -68,20 +79,6 @@ fn followed(search: &SearchFollowed) -> String {
     }
 }
 
-/// The unknowns that are solved at once, and how far.
-fn solved_together(tracked: &Tracked) -> String {
-    let names: Vec<_> =
-        tracked.fit.unknowns.iter().map(|unknown| format!("`{}`", unknown.name)).collect();
-    let stretch =
-        Stretch { input: None, ends: tracked.fit.stretch(), is_angle: tracked.fit.is_turned };
-    format!(
-        " {} are solved at once, by steps of Newton's method that are certified while {} about the drawing. No statement \
-         says that by hand.",
-        names.join(", "),
-        goes(&stretch)
-    )
-}
-
 /// The count of ways to assemble its group where it is drawn.
 fn assembled(SearchFollowed { unknown, assemblies, .. }: &SearchFollowed) -> Option<String> {
     let list = assemblies.as_ref()?;
@@ -99,38 +96,35 @@ fn assembled(SearchFollowed { unknown, assemblies, .. }: &SearchFollowed) -> Opt
     ))
 }
 
-fn goes(Stretch { input, ends, is_angle }: &Stretch) -> String {
-    let [from, to] = match is_angle {
-        true => ends.map(|end| format!("{:.1}°", end.to_degrees() + 0.0)),
-        false => ends.map(|end| format!("{:.3} m", end + 0.0)),
-    };
-    let who = input.as_ref().map_or("the first drive".to_string(), |input| format!("`{input}`"));
-    format!("{who} goes from {from} to {to}")
-}
-
 /// The declaration, a statement each.
 fn statements(mechanism: &Mechanism) -> Vec<String> {
-    let mut declared = Declared { mechanism, inputs: BTreeSet::new(), params: BTreeSet::new() };
-    let mut moving = Vec::new();
-    for place in 0..=mechanism.steps.len() {
-        for tracked in mechanism.tracked.iter().filter(|tracked| tracked.steps[1] == place) {
-            moving.push(declared.closed(tracked));
-        }
-        for unknown in &mechanism.unknowns {
-            let [begins, ends] = unknown.steps;
-            if begins == place {
-                moving.push(declared.unknown(unknown));
-            }
-            if ends == place {
-                moving.push(declared.solve(unknown));
-            }
-        }
-        moving.extend(mechanism.steps.get(place).map(|step| declared.step(step)));
-    }
+    let mut declared = declared(mechanism);
+    let places = 0..=mechanism.steps.len();
+    let moving: Vec<_> = places.flat_map(|place| moving(&mut declared, place)).collect();
     let Declared { inputs, params, .. } = declared;
     let inputs = inputs.into_iter().map(|index| input(mechanism, index));
     let params = params.into_iter().map(|index| param(mechanism, index));
     inputs.chain(params).chain(moving).collect()
+}
+
+fn declared(mechanism: &Mechanism) -> Declared<'_> {
+    Declared { mechanism, inputs: BTreeSet::new(), params: BTreeSet::new() }
+}
+
+/// The step at a place, and in front of it what begins and ends there.
+fn moving(declared: &mut Declared<'_>, place: usize) -> Vec<String> {
+    let (mechanism, mut moving) = (declared.mechanism, Vec::new());
+    for unknown in &mechanism.unknowns {
+        let [begins, ends] = unknown.steps;
+        if begins == place {
+            moving.push(declared.unknown(unknown));
+        }
+        if ends == place {
+            moving.push(declared.solve(unknown));
+        }
+    }
+    moving.extend(mechanism.steps.get(place).map(|step| declared.step(step)));
+    moving
 }
 
 fn input(mechanism: &Mechanism, index: usize) -> String {
@@ -320,15 +314,6 @@ impl Declared<'_> {
         let near = unknown.near.as_ref().map(|near| self.number(near, DeclaredUnit::Bare));
         let near = near.map_or(String::new(), |near| format!(", near: {near}"));
         format!("solve {} {{ {equation}, mode: {mode}{near} }}", unknown.name)
-    }
-
-    /// The points that are one where a group is solved at once.
-    fn closed(&self, tracked: &Tracked) -> String {
-        let pairs = tracked.closings.iter().map(|closing| {
-            let [made, met] = closing.points.map(|point| self.point(point).to_string());
-            format!("{met} = {made}")
-        });
-        format!("// so that {}", pairs.collect::<Vec<_>>().join(", "))
     }
 
     fn on(&self, carrier: Carrier) -> String {

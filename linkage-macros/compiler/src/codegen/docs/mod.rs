@@ -10,6 +10,7 @@ mod numbers_as_declared;
 mod powers_of_lengths;
 mod ranges_in_words;
 mod searches_in_words;
+mod solved_together;
 mod stub_docs;
 
 use proc_macro2::TokenStream;

@@ -1,8 +1,9 @@
-//! The range of a crank as its dimensions determine it, in words.
+//! The range of a crank as its dimensions determine it, and how far a drawing was followed, in words.
 
 use crate::codegen::identifiers::text;
 use crate::interface::Interface;
 use crate::interface::entries::Analysis;
+use crate::model::as_drawn::Stretch;
 use crate::model::mechanism::{Mechanism, Rotatability, Touching};
 use crate::reach::turn::{Range, degrees};
 
@@ -83,4 +84,18 @@ pub(super) fn of_touching(
         line += IS_PARALLELOGRAM;
     }
     line
+}
+
+/// The way of an input, or of the first drive.
+pub(super) fn goes(Stretch { input, ends, is_angle }: &Stretch) -> String {
+    let [from, to] = match is_angle {
+        true => ends.map(|end| format!("{:.1}°", end.to_degrees() + 0.0)),
+        // A machine may be small, and an end next to the drawing.
+        false => ends.map(|end| match end.abs() {
+            size if size > 0.0 && size < 5e-4 => format!("{end:.1e} m"),
+            _ => format!("{:.3} m", end + 0.0),
+        }),
+    };
+    let who = input.as_ref().map_or("the first drive".to_string(), |input| format!("`{input}`"));
+    format!("{who} goes from {from} to {to}")
 }
