@@ -15,6 +15,8 @@ pub(crate) enum Demand {
         above_rounding: Option<Id>,
         /// Whose failure it is: an index into `Program::groups`.
         group: u32,
+        /// True if it is the certificate of steps of Newton's method, of which intervals show nothing.
+        certifies: bool,
     },
     /// The square of a hypotenuse against the least one in double and in single precision.
     Length { id: Id, least_square: [f64; 2] },
@@ -42,6 +44,14 @@ impl Demand {
             Self::Near(angle) => (angle, None),
         };
         [value].into_iter().chain(spread)
+    }
+
+    /// The group whose unknowns are solved at once, where it certifies that.
+    pub(crate) fn certified(&self) -> Option<u32> {
+        match *self {
+            Self::Compare { group, certifies: true, .. } => Some(group),
+            _ => None,
+        }
     }
 
     /// The answer of values over a box, as they are computed.

@@ -19,6 +19,8 @@ pub(crate) enum Unproved {
     SolvedAmount,
     /// An unknown, which a search finds.
     Unknown(u32),
+    /// The unknowns of a group, all of which are solved at once: an index into `Program::groups`.
+    Together(u32),
 }
 
 /// See the module's documentation.
@@ -104,7 +106,9 @@ impl<'g> Goal<'g> {
 
     /// The first reason why a comparison cannot be shown.
     pub(crate) fn undemanded(&self) -> Option<Unproved> {
-        self.demands.iter().flat_map(Demand::reads).find_map(|id| self.unproved(id))
+        let certified = self.demands.iter().find_map(Demand::certified);
+        let read = || self.demands.iter().flat_map(Demand::reads).find_map(|id| self.unproved(id));
+        certified.map(Unproved::Together).or_else(read)
     }
 
     pub(crate) fn leaf(&self, node: Node) -> Option<&'g Leaf> {

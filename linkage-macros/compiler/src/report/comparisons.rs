@@ -1,7 +1,7 @@
 //! The comparisons of an entry point's fast path, as they are printed.
 
 use crate::interface::EntryId;
-use crate::ir::graph::{Id, Node};
+use crate::ir::graph::{Check, Id, Node};
 use crate::lower::routine::{Bound, Compute, FinitenessChecks, Instruction, Lowered, Threshold};
 use crate::prove::demand::Demand;
 use crate::prove::width::Precision;
@@ -38,6 +38,7 @@ fn demand(statement: &Instruction) -> Option<Demand> {
                 comparison,
                 above_rounding: condition.above_rounding,
                 group: condition.group,
+                certifies: condition.check == Check::Certified,
             })
         }
         Instruction::Length { id, least_square } => {

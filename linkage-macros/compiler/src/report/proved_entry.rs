@@ -137,9 +137,9 @@ impl Proved<'_> {
     fn parts(&self, single: &Goal<'_>) -> (Option<Stretches>, Vec<Vec<[f64; 2]>>) {
         let ranges = &single.given.ranges;
         let [range] = ranges[..] else { return (None, vec![ranges.clone()]) };
-        // Attained that cannot be proved say so by themselves.
+        // Results that cannot be proved say so by themselves.
         if single.undemanded().is_some() {
-            return (None, vec![ranges.clone()]);
+            return (None, Vec::new());
         }
         let stretches = Stretches::of(single);
         let margin = (range[1] - range[0]) * NEXT_TO_A_LIMIT;
@@ -170,7 +170,9 @@ impl Proved<'_> {
             let why = whole[1].unproved(sink).or_else(|| whole[1].undemanded());
             let bounds = match why {
                 Some(why) => Err(self.in_words(why)),
-                None if proved.is_empty() => Err("no pose of the range has an answer".to_string()),
+                None if proved.is_empty() => {
+                    Err("no pose of the range is shown to have an answer".to_string())
+                }
                 None => bounds(at, proved, order),
             };
             ResultReport {
@@ -218,6 +220,10 @@ impl Proved<'_> {
             Unproved::Unknown(unknown) => {
                 let name = &self.mechanism.unknowns[unknown as usize].name;
                 format!("a search finds the unknown `{name}`")
+            }
+            Unproved::Together(group) => {
+                let links = &self.program.groups[group as usize];
+                format!("steps of Newton's method find the unknowns of {links} together")
             }
         }
     }

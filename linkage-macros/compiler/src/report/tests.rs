@@ -224,6 +224,27 @@ fn what_is_not_proved_is_said_by_name() {
     assert!(beside[0].contains("at most 61 evaluations in f64 and 32 in f32"), "{beside:?}");
 }
 
+/// Six links of an eight-bar that are solved at once.
+#[test]
+fn what_is_solved_at_once_is_not_proved() {
+    let report = report(
+        "struct M { input theta: angle; ground P26(0.885, 0.043), P67(0.743, 0.312);
+         pin P01(0.102, 0.069), P02(0.935, 0.827), P13(0.6, 0.124), P04(0.09, 0.631), P34(0.207, 0.988),
+             P15(0.884, 0.368), P25(0.535, 0.864), P37(0.703, 0.282);
+         link L0(P01, P02, P04), L1(P01, P13, P15), L2(P02, P25, P26), L3(P13, P34, P37);
+         link L4(P04, P34), L5(P15, P25), L7(P37, P67); drive L7.angle = theta; }",
+        |_| {},
+    );
+    let report = report.expect("there is no mistake");
+    let motion = &report.entries[0];
+    for result in &motion.results {
+        let why = result.bounds.as_ref().expect_err("steps of Newton's method are not proved");
+        let told = "steps of Newton's method find the unknowns of L0, L1, L2, L3, L4, L5 together";
+        assert_eq!(why, told, "{}", result.name);
+    }
+    assert!(motion.stretches.is_empty() && motion.limits.is_empty() && !motion.is_straight);
+}
+
 #[test]
 fn a_mistake_in_what_is_asked_is_named() {
     let refused = |change: &dyn Fn(&mut ReportOptions)| {
