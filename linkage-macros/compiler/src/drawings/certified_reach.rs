@@ -15,17 +15,17 @@ use crate::ir::interpret::Number;
 const MACHINES: usize = 60;
 
 /// A machine with the motion of its drawing, which knows no groups.
-struct Traced {
+pub(super) struct Traced {
     nth: usize,
-    bar: EightBar,
-    machine: Machine,
-    drawn: f64,
-    poses: Vec<(f64, Coordinates)>,
+    pub bar: EightBar,
+    pub machine: Machine,
+    pub drawn: f64,
+    pub poses: Vec<(f64, Coordinates)>,
 }
 
 /// The machine of a seed of its own, and how many of its drawings were refused before: at dead points, or next to one.
-fn traced(nth: usize, list: &[EightBar]) -> (Traced, usize) {
-    let mut random = Random(0x6a09_e667_f3bc_c909 ^ nth as u64 * 0x9e37_79b9);
+pub(super) fn traced(nth: usize, list: &[EightBar]) -> (Traced, usize) {
+    let mut random = Random(0x6a09_e667_f3bc_c909 ^ (nth as u64 * 0x9e37_79b9));
     let cranked = list.iter().find(|bar| bar.index == AT_THE_GROUND).expect("it is on the list");
     let mut refused = 0;
     loop {
@@ -56,13 +56,13 @@ fn traced(nth: usize, list: &[EightBar]) -> (Traced, usize) {
 }
 
 /// A certified pose: how far its pins are from those of the motion at most, and whether its links are as rigid as drawn.
-struct Judged {
-    off: f64,
-    rigid: bool,
+pub(super) struct Judged {
+    pub off: f64,
+    pub rigid: bool,
 }
 
 impl Traced {
-    fn ends(&self) -> [f64; 2] {
+    pub(super) fn ends(&self) -> [f64; 2] {
         [self.poses[0].0, self.poses[self.poses.len() - 1].0]
     }
 
@@ -77,7 +77,7 @@ impl Traced {
     }
 
     /// The answer at a drive from the drawing; none where it is refused. It is one of the motion.
-    fn judged<N: Number>(
+    pub(super) fn judged<N: Number>(
         &self,
         drive: f64,
         float: impl Fn(&N) -> f64,
@@ -101,6 +101,18 @@ impl Traced {
         Some(Judged { off, rigid: self.machine.are_rigid(&pins, closed) })
     }
 
+    /// True if it is one pose a turn on: all pins are at both ends where they are at the other.
+    fn closes(&self) -> bool {
+        let links = Links::of(&self.bar.driven, &self.bar.places);
+        let [(first, back), .., (last, ahead)] = &self.poses[..] else { return false };
+        let all = self.bar.driven.joints.iter().enumerate();
+        let apart = all.map(|(joint, &[link, _])| {
+            let [back, ahead] = [back, ahead].map(|at| links.place(link, joint, at));
+            (back[0] - ahead[0]).hypot(back[1] - ahead[1])
+        });
+        last - first > TAU - 1e-9 && apart.fold(0.0, f64::max) < OFF[0]
+    }
+
     fn told(&self) -> String {
         let Self { nth, bar, .. } = self;
         format!("{nth}, group {}, places {:?}, from {:?}", bar.index, bar.places, self.ends())
@@ -110,8 +122,8 @@ impl Traced {
 /// With ε, some units in the last place of coordinates of about one, K is at least |R| and η at least ε |R|: the certificate
 /// asks |R|² ε < 1/32, and a pin is off by ε |R| < √(ε/32). In single precision ε is 1e-6, in double 2e-15; bars are then as
 /// long as drawn to some ε, and with the drive's own rounding to some dozens.
-const OFF: [f64; 2] = [1e-8, 2e-4];
-const CLOSED: [f64; 2] = [1e-12, 1e-5];
+pub(super) const OFF: [f64; 2] = [1e-8, 2e-4];
+pub(super) const CLOSED: [f64; 2] = [1e-12, 1e-5];
 
 /// Sums over machines.
 #[derive(Debug, Default)]
@@ -129,6 +141,8 @@ struct Shares {
 impl Shares {
     fn add(&mut self, traced: &Traced, poses: usize, tried: usize) {
         let [from, to] = traced.ends();
+        let group = &traced.machine.mechanism.tracked[0].fit;
+        assert_eq!(group.closes, traced.closes(), "{}", traced.told());
         let mut certified = 0;
         for part in 0..poses {
             let drive = from + (to - from) * (part as f64 + 0.5) / poses as f64;
@@ -141,7 +155,7 @@ impl Shares {
             100.0 * share,
             from.to_degrees(),
             to.to_degrees(),
-            traced.machine.mechanism.tracked[0].fit.pieces.len(),
+            group.pieces.len(),
             traced.bar.index,
         );
         self.least = if self.poses == 0 { share } else { self.least.min(share) };

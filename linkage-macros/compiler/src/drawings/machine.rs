@@ -49,6 +49,13 @@ pub(super) fn documentation(mechanism: &Mechanism) -> String {
 }
 
 impl Machine {
+    /// The machine with something of it changed behind the rules.
+    pub(super) fn changed(mut self, change: impl FnOnce(&mut Mechanism)) -> Self {
+        change(&mut self.mechanism);
+        let program = equations::derive(&self.mechanism, passes::RULES);
+        Self { program, ..self }
+    }
+
     pub(super) fn docs(&self) -> String {
         documentation(&self.mechanism)
     }

@@ -8,6 +8,7 @@ mod answers;
 mod as_drawn;
 mod carried_links;
 mod certified_reach;
+mod certified_refusals;
 mod certified_variants;
 mod chains_of_eight;
 mod declared_by_hand;
