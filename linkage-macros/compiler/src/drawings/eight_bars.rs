@@ -163,7 +163,8 @@ fn a_part_of_the_eight_bars_is_where_it_is_drawn() {
 #[ignore = "minutes: `.ci/nightly` takes it"]
 fn eight_bars_are_where_they_are_drawn() {
     let [ground, moving] = compiled(1);
-    assert_eq!([ground.solved, moving.solved], [152, 390]);
+    // Those of one unknown, and 33 of several.
+    assert_eq!([ground.solved, moving.solved], [153, 422]);
 }
 
 /// Told in another order, with other names, in another size or mirrored, it is the same machine: its

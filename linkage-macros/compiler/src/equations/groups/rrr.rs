@@ -59,8 +59,8 @@
 //!
 //! # Error
 //! At most 4 times what the data allow next to the stretched bars, to the folded ones, and
-//! where the outer joints of equal bars meet. On random poses 2.5 times for positions, 11.2 for
-//! velocities, 5.9 for accelerations; in the hill-climbed worst case 3.3, 25 and 16, where a long
+//! where the outer joints of equal bars meet. On random poses 2.5 times for positions, 9.4 for
+//! velocities, 4.2 for accelerations; in the hill-climbed worst case 3.2, 23 and 15, where a long
 //! bar's end moves fast and the pin at its other end hardly: the velocity of a pin between moving
 //! joints is that of the first joint and its bar's.
 //!
