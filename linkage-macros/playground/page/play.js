@@ -211,8 +211,11 @@ addEventListener("message", ({ data, source }) => {
   const nth = frames.findIndex((frame) => frame.contentWindow === source);
   if (nth < 0 || typeof data !== "object" || data === null) return;
   if (data.kind === "ready" && nth !== front) {
+    const hasFocus = document.activeElement === frames[front];
     front = nth;
     frames.forEach((frame, k) => frame.classList.toggle("shown", k === front));
+    // Keys go on where the machine is: a frame that is hidden would keep them.
+    if (hasFocus) frames[front].focus();
     say(`${Math.round(performance.now() - began)} ms`);
   }
   if (nth !== front) return;
