@@ -38,10 +38,10 @@ impl<'d> Links<'d> {
     /// The pose at a drive from the drawing that Newton's method finds from another one; none where that is far off, or on
     /// the other side of a dead point.
     pub(super) fn beside(&self, drive: f64, near: &[f64]) -> Option<Coordinates> {
-        let (sign, _) = solved(self.equations(drive, near))?;
-        let mut at = near.to_vec();
+        let (mut at, mut sign) = (near.to_vec(), None);
         for _ in 0..12 {
             let (now, step) = solved(self.equations(drive, &at))?;
+            let sign = *sign.get_or_insert(now);
             at.iter_mut().zip(&step).for_each(|(at, step)| *at -= step);
             if step.iter().all(|step| step.abs() < 1e-11) {
                 let is_near = at.iter().zip(near).all(|(at, near)| (at - near).abs() < 0.1);
@@ -104,23 +104,31 @@ impl<'d> Links<'d> {
     }
 }
 
-/// The solution of linear equations, a row each, behind the sign of their determinant; none where there is none.
-fn solved(mut rows: Vec<Vec<f64>>) -> Option<(bool, Vec<f64>)> {
+/// The solution of linear equations, a row each with its right side last, behind the sign of their determinant; none where
+/// there is none.
+pub(super) fn solved(mut rows: Vec<Vec<f64>>) -> Option<(bool, Vec<f64>)> {
     let count = rows.len();
-    let mut sign = true;
+    let mut is_positive = true;
     for column in 0..count {
         let size = |row: &usize| rows[*row][column].abs();
-        let pivot = (column..count).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        rows.swap(pivot, column);
-        let own = rows[column].clone();
-        sign ^= (pivot != column) ^ (own[column] < 0.0);
-        if own[column].abs() < 1e-12 {
+        let best = (column..count).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        if rows[best][column] == 0.0 {
             return None;
         }
-        for (_, row) in rows.iter_mut().enumerate().filter(|(row, _)| *row != column) {
-            let factor = row[column] / own[column];
-            row.iter_mut().zip(&own).for_each(|(entry, own)| *entry -= factor * own);
+        is_positive ^= best != column;
+        rows.swap(best, column);
+        is_positive ^= rows[column][column] < 0.0;
+        let pivot = rows[column].clone();
+        for row in &mut rows[column + 1..] {
+            let factor = row[column] / pivot[column];
+            row.iter_mut().zip(&pivot).skip(column).for_each(|(value, by)| *value -= factor * by);
         }
     }
-    Some((sign, rows.iter().enumerate().map(|(index, row)| row[count] / row[index]).collect()))
+    let mut solution = vec![0.0; count];
+    for column in (0..count).rev() {
+        let known: f64 =
+            (column + 1..count).map(|other| rows[column][other] * solution[other]).sum();
+        solution[column] = (rows[column][count] - known) / rows[column][column];
+    }
+    Some((is_positive, solution))
 }

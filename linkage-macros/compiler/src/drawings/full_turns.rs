@@ -8,6 +8,7 @@ use std::f64::consts::{PI, TAU};
 use super::chains_of_eight::{Driven, all, drawing};
 use super::eight_bars::{class, kinematic};
 use super::following::all_of_the_stretch_is_solved;
+use super::freely_placed::solved;
 use super::machine::machine;
 use super::variants::Random;
 use crate::chain::cut;
@@ -104,43 +105,12 @@ impl<'m> AllPins<'m> {
         rows
     }
 
-    /// The sign of the determinant, and the solution by elimination.
-    fn solved(&self, mut rows: Vec<Vec<f64>>) -> Option<(bool, Vec<f64>)> {
-        let n = self.count;
-        let mut is_positive = true;
-        for column in 0..n {
-            let best = (column..n)
-                .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
-            if rows[best][column] == 0.0 {
-                return None;
-            }
-            is_positive ^= best != column;
-            rows.swap(best, column);
-            is_positive ^= rows[column][column] < 0.0;
-            let pivot = rows[column].clone();
-            for row in &mut rows[column + 1..] {
-                let factor = row[column] / pivot[column];
-                row.iter_mut()
-                    .zip(&pivot)
-                    .skip(column)
-                    .for_each(|(value, by)| *value -= factor * by);
-            }
-        }
-        let mut solution = vec![0.0; n];
-        for column in (0..n).rev() {
-            let known: f64 =
-                (column + 1..n).map(|other| rows[column][other] * solution[other]).sum();
-            solution[column] = (rows[column][n] - known) / rows[column][column];
-        }
-        Some((is_positive, solution))
-    }
-
     /// The pose beside one, with the sign of its determinant: `None` where Newton's method does not find it within a
     /// part of the machine's size.
     fn beside(&self, from: &[f64], turned: f64) -> Option<(bool, Vec<f64>)> {
         let mut places = from.to_vec();
         for _ in 0..12 {
-            let (is_positive, step) = self.solved(self.rows(&places, turned))?;
+            let (is_positive, step) = solved(self.rows(&places, turned))?;
             places.iter_mut().zip(&step).for_each(|(place, step)| *place -= step);
             let size = step.iter().fold(0.0_f64, |most, step| most.max(step.abs()));
             let moved =
