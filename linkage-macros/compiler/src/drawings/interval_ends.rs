@@ -13,12 +13,10 @@ use crate::chain::cutting::{Found, SearchedGroup};
 fn shares(search: &SearchedGroup) -> Option<[f64; 2]> {
     let list = search.assemblies.as_ref().filter(|list| list.is_proved() && !list.is_by_another)?;
     let drawn = list.list[list.drawn?];
-    let is_like_it = |other: &f64| *other > 0.0;
     let like = list.list.iter().filter(|other| {
         (other.sides, other.rises) == (drawn.sides, drawn.rises) && **other != drawn
     });
-    let turns = like.map(|other| (other.unknown - drawn.unknown).rem_euclid(TAU));
-    let turns: Vec<_> = turns.filter(is_like_it).collect();
+    let turns: Vec<_> = like.map(|other| (other.unknown - drawn.unknown).rem_euclid(TAU)).collect();
     let from = search.following.as_ref().map_or(0.0, |following| following.at(0.0));
     let [low, high] = search.between.map(|end| from + end);
     let above = turns.iter().map(|turn| high / turn).fold(0.0, f64::max);
