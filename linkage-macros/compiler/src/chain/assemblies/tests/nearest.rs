@@ -7,9 +7,8 @@ use crate::chain::redrawn::{Resized, redrawn};
 /// The pins of a triad's plate in an assembly with the driven bar turned: of both poses of the plate on two bars, the one
 /// that closes with the third.
 fn plate(machine: &Machine, [driven, other, last]: [usize; 3], turned: f64) -> [Complex; 3] {
-    let ([ground, drawn], turn) =
-        ([[0, 1, 2], [3, 4, 5]].map(|pins| pins.map(|pin| machine.pins[pin])), Complex::turned);
-    let pin = ground[driven] + turn(turned) * (drawn[driven] - ground[driven]);
+    let [ground, drawn] = [[0, 1, 2], [3, 4, 5]].map(|pins| pins.map(|pin| machine.pins[pin]));
+    let pin = ground[driven] + Complex::turned(turned) * (drawn[driven] - ground[driven]);
     let side = drawn[other] - drawn[driven];
     let (near, far) = (side.length(), (drawn[other] - ground[other]).length());
     let base = ground[other] - pin;
