@@ -111,7 +111,7 @@ def hidden_poses():
 
 
 def by_design():
-    test = ["--test", "curves", "raced", "--", "--ignored", "--nocapture", "--test-threads=1"]
+    test = ["--test", "design", "curves::raced", "--", "--ignored", "--nocapture", "--test-threads=1"]
     ran = subprocess.run(
         ["cargo", "test", "-q", "--release", "-p", "linkage-design", *test],
         cwd=ROOT, check=True, capture_output=True, text=True,
