@@ -76,11 +76,23 @@ const OFF: f64 = 1e-12;
 /// Two ways to assemble a group that are certified are farther apart than this.
 const SAME: f64 = 1e-7;
 
+/// Every third of them, that at the ground among these; `.ci/nightly` takes all.
 #[test]
 fn eight_bars_of_several_unknowns_are_right_as_far_as_they_move() {
     let all = of_several_unknowns();
+    let at_the_ground = all.iter().position(|bar| bar.index == AT_THE_GROUND).expect("it is one");
+    are_right(&all, |nth| nth % 3 == at_the_ground % 3);
+}
+
+#[test]
+#[ignore = "ten seconds: `.ci/nightly` takes it"]
+fn all_eight_bars_of_several_unknowns_are_right_as_far_as_they_move() {
+    are_right(&of_several_unknowns(), |_| true);
+}
+
+fn are_right(all: &[EightBar], is_chosen: impl Fn(usize) -> bool) {
     assert_eq!(all.len(), 33);
-    for bar in &all {
+    for (_, bar) in all.iter().enumerate().filter(|(nth, _)| is_chosen(*nth)) {
         let found = machine(&format!("pub struct M {{ {} }}", bar.driven.statements(&bar.places)));
         let machine = found.unwrap_or_else(|told| panic!("{}: {told:?}", bar.index));
         assert_eq!(bar.driven.is_at_the_ground(), bar.index == AT_THE_GROUND);

@@ -244,7 +244,7 @@ fn no_object_asks_for_software_double(nth: usize) {
 
 #[test]
 fn some_objects_ask_for_no_software_double() {
-    no_object_asks_for_software_double(80);
+    no_object_asks_for_software_double(240);
 }
 
 #[test]

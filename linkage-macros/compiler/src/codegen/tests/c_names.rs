@@ -172,7 +172,7 @@ fn flags(own: &[&'static str]) -> Vec<&'static str> {
 /// A sample of the places; `.ci/nightly` takes all.
 #[test]
 fn some_names_are_c() {
-    names_are_c(10);
+    names_are_c(30);
 }
 
 #[test]

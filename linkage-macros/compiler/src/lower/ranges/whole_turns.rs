@@ -158,16 +158,27 @@ fn left_out(program: &Program, graph: &Graph, all: &[&Condition]) -> [usize; 2] 
     [ids.len(), ids.iter().filter(by_arcs).count()]
 }
 
-/// Sixty random six-bars, most of which have limits in one dyad or the other.
+/// Some of the random six-bars; `.ci/nightly` takes sixty.
 #[test]
 fn conditions_that_are_not_asked_hold_over_whole_turns() {
+    conditions_of_six_bars_hold(15);
+}
+
+#[test]
+#[ignore = "five seconds: `.ci/nightly` takes it"]
+fn conditions_of_sixty_six_bars_that_are_not_asked_hold() {
+    conditions_of_six_bars_hold(60);
+}
+
+/// Random six-bars, most of which have limits in one dyad or the other.
+fn conditions_of_six_bars_hold(machines: usize) {
     let (mut random, mut sums) = (Random(56), [0; 2]);
-    for machine in 0..60 {
+    for machine in 0..machines {
         let counts = assert_sound(&six_bar(&mut random, machine), 1440);
         sums = [0, 1].map(|of| sums[of] + counts[of]);
     }
     println!("{} conditions are not asked, {} of them by arcs", sums[0], sums[1]);
-    assert!(sums[1] > 40, "{sums:?}");
+    assert!(sums[1] > machines * 2 / 3, "{sums:?}");
 }
 
 #[test]
