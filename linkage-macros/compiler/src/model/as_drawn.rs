@@ -41,32 +41,32 @@ pub(in crate::model) fn whole_turns(angle: f64) -> f64 {
 
 /// A link that is drawn on a guide. With the slide s of a group's joint its slide is ±s + `shift`.
 #[derive(Clone)]
-pub(crate) struct DrawnSlide {
-    pub link: LinkId,
+pub(crate) struct DrawnSlide<L = LinkId, N = Scalar> {
+    pub link: L,
     pub guide: Ident,
     /// The link that carries the guide.
     pub carrier: Option<Ident>,
     /// The link whose joint it is in a group.
-    pub by: LinkId,
+    pub by: L,
     /// True if that link is the guide's carrier, so that the group has the joint the other way round.
     pub is_reversed: bool,
-    pub shift: Scalar,
+    pub shift: N,
     /// From the origin of the drawn link's frame to that of `by`, along the guide and across it. Where the joint is
     /// reversed, s adds to what is along.
-    pub arm: [Scalar; 2],
+    pub arm: [N; 2],
     /// True for the guide that the link's statement names first, along which its slide is.
     pub is_first: bool,
 }
 
 /// The frame in which a link is written, in that of its group.
 #[derive(Clone)]
-pub(crate) struct FrameShift {
-    pub link: LinkId,
+pub(crate) struct FrameShift<L = LinkId, N = Scalar> {
+    pub link: L,
     /// Its angle, where it is turned.
-    pub angle: Option<Scalar>,
+    pub angle: Option<N>,
     /// The cosine and the sine of that angle.
-    pub axis: [Scalar; 2],
-    pub origin: [Scalar; 2],
+    pub axis: [N; 2],
+    pub origin: [N; 2],
     /// True if it begins at the other end of a bar.
     pub is_reversed: bool,
 }

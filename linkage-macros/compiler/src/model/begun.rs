@@ -8,16 +8,18 @@ use crate::syntax::tree::{self, Declaration, ExprKind, StatementKind, Unread};
 
 use crate::model::dimension::Dimension;
 use crate::model::facts::Facts;
+use crate::model::items::Item;
 use crate::model::mechanism::{Mechanism, References};
 use crate::model::names::{Kind, Names, Symbol};
 use crate::model::references::expressions;
 use crate::model::scope::Scope;
-use crate::model::statements::{declared_by, drive_by, title};
+use crate::model::statements::drive_by;
 use crate::model::units::unit;
 
-/// The scope in front of the first statement.
+/// The scope in front of the first of the items that the declaration is.
 pub(super) fn scope<'d>(
     tree: &Declaration,
+    items: &[Item<'_>],
     unread: &'d Unread,
     diagnostics: &'d mut Diagnostics,
 ) -> Scope<'d> {
@@ -27,25 +29,26 @@ pub(super) fn scope<'d>(
     Scope {
         diagnostics,
         unread,
-        names: names(tree),
+        names: names(items),
         mechanism: Mechanism { references: References::of(tree), ..empty },
         facts: Facts::of(longest_with_unit, driving),
         drawn: None,
     }
 }
 
-/// All names of a declaration.
-pub(super) fn names(tree: &Declaration) -> Names {
-    let solved = tree.statements.iter().filter_map(|statement| match &statement.kind {
-        StatementKind::Solve(solve) => Some(solve.unknown.to_string()),
+/// All names that items make.
+pub(super) fn names(items: &[Item<'_>]) -> Names {
+    let solved = items.iter().filter_map(|item| match item.written {
+        Some(StatementKind::Solve(solve)) => Some(solve.unknown.to_string()),
         _ => None,
     });
     let mut names = Names::new(solved.collect());
-    for (index, statement) in tree.statements.iter().enumerate() {
-        let is_a_group = matches!(statement.kind, StatementKind::Group(_));
-        for (name, kind) in declared_by(statement) {
+    for (index, item) in items.iter().enumerate() {
+        let declared = item.rules.declares();
+        let is_a_group = declared.iter().any(|(_, kind)| *kind == Kind::Link);
+        for (name, kind) in declared {
             let name = name.to_string();
-            let made_by = title(statement, &name);
+            let made_by = item.rules.title(&name);
             let is_a_pin = kind == Kind::Point && is_a_group;
             names.add(Symbol {
                 name,

@@ -8,26 +8,23 @@ use proc_macro2::Ident;
 
 use crate::syntax::anatomy::{GroupSpec, JointRule};
 use crate::syntax::tree::{
-    Declaration, Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Leg, Statement,
-    StatementKind,
+    Expr, ExprKind, GroupField, GroupFieldValue, GroupStatement, Leg, StatementKind,
 };
 
 use crate::model::as_written::text;
-use crate::model::needs::{Needs, maker};
-use crate::model::references::names_used;
-use crate::model::statements::{declared_by, title};
+use crate::model::items::{Item, maker};
+use crate::model::needs::Needs;
 
 /// The replacement for statements that need each other, if one unknown is enough.
 pub(super) fn instead(
-    tree: &Declaration,
+    items: &[Item<'_>],
     needs: &Needs,
     circle: &BTreeSet<usize>,
 ) -> Option<String> {
-    let dyads =
-        circle.iter().filter_map(|&index| Some((index, two_bars(&tree.statements[index])?)));
+    let dyads = circle.iter().filter_map(|&index| Some((index, two_bars(&items[index])?)));
     let ends = dyads.flat_map(|(index, group)| [(index, group, 0), (index, group, 1)]);
     let (index, group, kept) = ends.into_iter().find(|&(index, group, kept)| {
-        let cut = Cut { tree, group, index };
+        let cut = Cut { items, group, index };
         cut.stands_on_what_is_known(kept, circle)
             && !cut.carries(&group.legs[1 - kept].link)
             && !cut.is_doubled(1 - kept)
@@ -36,48 +33,48 @@ pub(super) fn instead(
     let (lengths, pin) = (lengths(group)?, group.pin.as_ref()?);
     let (leg, other) = (&group.legs[kept], &group.legs[1 - kept]);
     let (pivot, far) = (leg.joint.as_ref()?, other.joint.as_ref()?);
-    let angle = free_name(tree);
+    let angle = free_name(items);
     let (length, distance) = (written(&lengths[kept]), written(&lengths[1 - kept]));
     Some(format!(
         "write `unknown {angle}: angle between (…, …);`, `crank {}({pivot}) -> {pin} {{ length: \
          {length}, angle: {angle} }}` for `{}`, and last `solve {angle} {{ distance({pin}, {far}) = \
          {distance}, mode: rising }}`",
         leg.link,
-        title(&tree.statements[index], ""),
+        items[index].rules.title(""),
     ))
 }
 
 /// A dyad of two bars that is to be taken apart.
 struct Cut<'t> {
-    tree: &'t Declaration,
+    items: &'t [Item<'t>],
     group: &'t GroupStatement,
     index: usize,
 }
 
 impl Cut<'_> {
     fn pivot(&self, leg: usize) -> Option<usize> {
-        maker(self.tree, self.group.legs[leg].joint.as_ref()?)
+        maker(self.items, self.group.legs[leg].joint.as_ref()?)
     }
 
     fn stands_on_what_is_known(&self, leg: usize, circle: &BTreeSet<usize>) -> bool {
         self.pivot(leg).is_some_and(|maker| !circle.contains(&maker))
     }
 
+    fn others(&self) -> impl Iterator<Item = &Item<'_>> {
+        let others = self.items.iter().enumerate().filter(|&(index, _)| index != self.index);
+        others.map(|(_, item)| item)
+    }
+
     /// True if another statement names the link.
     fn carries(&self, link: &Ident) -> bool {
-        let others = self.tree.statements.iter().enumerate();
-        others
-            .filter(|&(index, _)| index != self.index)
-            .any(|(_, statement)| names_used(statement).contains(link))
+        self.others().any(|item| item.rules.names_used().contains(link))
     }
 
     /// True if another bar joins the same two points, so that their distance never changes.
     fn is_doubled(&self, leg: usize) -> bool {
         let (far, pin) = (&self.group.legs[leg].joint, &self.group.pin);
-        let others = self.tree.statements.iter().enumerate();
-        let mut others = others.filter(|&(index, _)| index != self.index);
-        others.any(|(_, statement)| {
-            two_bars(statement).is_some_and(|other| {
+        self.others().any(|item| {
+            two_bars(item).is_some_and(|other| {
                 other.pin == *far && other.legs.iter().any(|leg| leg.joint == *pin)
             })
         })
@@ -91,8 +88,8 @@ impl Cut<'_> {
 }
 
 /// The dyad of two bars that the statement is, as far as all of it was read.
-fn two_bars(statement: &Statement) -> Option<&GroupStatement> {
-    match &statement.kind {
+fn two_bars<'t>(item: &Item<'t>) -> Option<&'t GroupStatement> {
+    match item.written? {
         StatementKind::Group(group) if is_of_two_bars(&group.keyword.to_string()) => {
             let is_whole = |leg: &Leg| leg.joint.is_some();
             (group.legs.len() == 2 && group.legs.iter().all(is_whole)).then_some(group)
@@ -126,9 +123,11 @@ fn written(expr: &Expr) -> String {
 }
 
 /// A name for the angle that nothing has.
-fn free_name(tree: &Declaration) -> &'static str {
-    let declared: Vec<String> =
-        (tree.statements.iter().flat_map(declared_by)).map(|(name, _)| name.to_string()).collect();
+fn free_name(items: &[Item<'_>]) -> &'static str {
+    let is_free = |name: &str| {
+        let mut declared = items.iter().flat_map(|item| item.rules.declares());
+        declared.all(|(known, _)| known != name)
+    };
     let names = ["phi", "psi", "chi", "unknown_angle"];
-    names.into_iter().find(|name| !declared.iter().any(|known| known == name)).unwrap_or("angle_")
+    names.into_iter().find(|name| is_free(name)).unwrap_or("angle_")
 }

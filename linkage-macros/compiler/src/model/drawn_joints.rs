@@ -5,11 +5,11 @@ use proc_macro2::Ident;
 
 use crate::model::as_drawn::{DrawnDrive, DrawnSlide, FrameShift};
 use crate::model::drawn_links::FrameFound;
-use crate::model::mechanism::{Dimension, LinkId};
+use crate::model::mechanism::LinkId;
 use crate::model::names::Entity;
-use crate::model::numbers;
 use crate::model::parts_of_groups::Parts;
 use crate::model::scope::Scope;
+use crate::model::told_numbers;
 
 /// The frames of links that a group has made, and the slides whose joints it has, once it is made.
 pub(in crate::model) fn joints_are_as_drawn(scope: &mut Scope<'_>, parts: &Parts) {
@@ -23,8 +23,9 @@ pub(in crate::model) fn joints_are_as_drawn(scope: &mut Scope<'_>, parts: &Parts
         let (Some(by), Some(Entity::Link(link))) = (by, scope.names.made(&slide.link)) else {
             continue;
         };
+        let at = slide.link.span();
         let (shift, arm) =
-            (numbers::length(scope, &slide.shift), numbers::lengths(scope, &slide.arm));
+            (slide.shift.length(scope, at), told_numbers::lengths(scope, &slide.arm, at));
         if let (Some(shift), Some(arm)) = (shift, arm) {
             let (guide, carrier) = (slide.guide.clone(), slide.carrier.clone());
             let (is_reversed, is_first) = (slide.is_reversed, slide.is_first);
@@ -43,12 +44,11 @@ fn made(scope: &Scope<'_>, parts: &Parts, name: &Ident) -> Option<LinkId> {
 /// The written frame of a link in that of its group.
 fn shift(scope: &mut Scope<'_>, link: LinkId, found: &FrameFound) -> Option<FrameShift> {
     let angle = match &found.angle {
-        Some(angle) => Some(numbers::plain_angle(scope, angle)?),
+        Some(angle) => Some(angle.number(scope)?),
         None => None,
     };
-    let [cos, sin] =
-        found.axis.each_ref().map(|part| numbers::scalar(scope, part, Dimension::NUMBER));
-    let origin = numbers::lengths(scope, &found.origin)?;
+    let [cos, sin] = found.axis.each_ref().map(|part| part.number(scope));
+    let origin = told_numbers::lengths(scope, &found.origin, found.link.span())?;
     Some(FrameShift { link, angle, axis: [cos?, sin?], origin, is_reversed: found.is_reversed })
 }
 

@@ -1,13 +1,12 @@
 //! The links of a drawing as groups have made them.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::Expr;
-
-use crate::model::mechanism::StandsFor;
-use crate::model::solved_at_once::TrackedFit;
+use crate::model::as_drawn::{DrawnSlide, FrameShift, SearchFollowed};
+use crate::model::figures::Figure;
+use crate::model::mechanism::{Sign, StandsFor};
 
 /// The links of a drawing as groups have made them.
 #[derive(Default)]
@@ -20,8 +19,6 @@ pub(in crate::model) struct DrawnLinks {
     pub hidden: Vec<(Ident, StandsFor)>,
     /// The links whose groups gave them other frames than their statements.
     pub frames: Vec<FrameFound>,
-    /// Pins and guides whose places are told in the frames of groups.
-    pub placed: HashSet<Ident>,
     /// Pins between links.
     pub joints: Vec<Ident>,
     /// Links that no group has as bars between the first two pins of their statements.
@@ -29,55 +26,42 @@ pub(in crate::model) struct DrawnLinks {
     pub pins: Vec<PinFound>,
     /// In the order in which groups make their joints.
     pub slides: Vec<SlideFound>,
-    /// Groups that are solved by all their unknowns at once: their links, and these unknowns.
-    pub tracked: Vec<(Vec<Ident>, TrackedFit)>,
     /// Links that unknowns turn which nobody has written.
     pub searched: Vec<Ident>,
     /// The pins of two bars that are drawn as a parallelogram, and the corners opposite to each.
     pub parallels: HashMap<Ident, Vec<Ident>>,
+    /// By their first links, the modes of groups that are declared by hand and leave them to the drawing.
+    pub modes: HashMap<Ident, Sign>,
     /// The angles of links in the drawing, with the turns that their drives count.
     pub angles: Vec<(Ident, f64)>,
     /// Links that are driven, and those whose drivers drive them.
     pub drives: Vec<[Ident; 2]>,
+    pub searches: Vec<SearchFollowed>,
+    /// True if drives hold links together.
+    pub holds_links: bool,
+    /// Points declared on links that are made elsewhere, though their place is not known before the link's.
+    pub misplaced: Vec<Ident>,
 }
 
-/// The frame in which a link is written, in that of its group: see [`FrameShift`].
-///
-/// [`FrameShift`]: crate::model::as_drawn::FrameShift
-pub(in crate::model) struct FrameFound {
-    pub link: Ident,
-    pub angle: Option<Expr>,
-    pub axis: [Expr; 2],
-    pub origin: [Expr; 2],
-    pub is_reversed: bool,
-}
+/// The frame in which a link is written, by names and numbers of the drawing.
+pub(in crate::model) type FrameFound = FrameShift<Ident, Figure>;
 
-/// A slide as it is drawn, by the joint of a group: see [`DrawnSlide`].
-pub(in crate::model) struct SlideFound {
-    pub link: Ident,
-    pub guide: Ident,
-    pub carrier: Option<Ident>,
-    pub by: Ident,
-    pub is_reversed: bool,
-    pub shift: Expr,
-    pub arm: [Expr; 2],
-    /// True for the guide that the link's statement names first.
-    pub is_first: bool,
-}
+/// A slide as it is drawn, by the joint of a group, in the same terms.
+pub(in crate::model) type SlideFound = DrawnSlide<Ident, Figure>;
 
 /// A link as a bar between the first two pins of its statement.
 pub(in crate::model) struct BarFound {
     pub link: Ident,
     /// Its middle; none where an input changes its length.
-    pub middle: Option<[Expr; 2]>,
-    pub length: Expr,
+    pub middle: Option<[Figure; 2]>,
+    pub length: Figure,
 }
 
 /// A pin of a link that its group makes elsewhere, and its place in the frame of the group.
 pub(in crate::model) struct PinFound {
     pub link: Ident,
     pub pin: Ident,
-    pub at: [Expr; 2],
+    pub at: [Figure; 2],
 }
 
 impl DrawnLinks {

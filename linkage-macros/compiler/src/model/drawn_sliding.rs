@@ -2,7 +2,9 @@
 
 use proc_macro2::Ident;
 
-use crate::model::mechanism::{LinkId, StandsFor};
+use crate::syntax::tree::GroupStatement;
+
+use crate::model::mechanism::{LinkId, Sign, StandsFor};
 use crate::model::scope::Scope;
 use crate::model::uses;
 
@@ -20,10 +22,14 @@ pub(in crate::model) fn title_as_drawn<'n>(
     known.collect::<Vec<_>>().join(", ")
 }
 
-/// True if a link of a drawing slides by its statement; `None` of a link that is declared as part of a group.
-pub(in crate::model) fn is_drawn_sliding(scope: &Scope<'_>, link: &Ident) -> Option<bool> {
-    let drawn = scope.drawn?;
-    drawn.made.contains(link).then(|| drawn.slide_of(link).is_some())
+/// The mode that a group which is declared by hand leaves to the drawing.
+pub(in crate::model) fn mode_as_drawn(scope: &Scope<'_>, group: &GroupStatement) -> Option<Sign> {
+    scope.drawn?.modes.get(&group.legs.first()?.link).copied()
+}
+
+/// True if a group of a drawing makes the link.
+pub(in crate::model) fn is_drawn(scope: &Scope<'_>, link: &Ident) -> bool {
+    scope.drawn.is_some_and(|drawn| drawn.made.contains(link))
 }
 
 /// The link by whose joint a link slides; `None` where that is not made yet, which is reported.

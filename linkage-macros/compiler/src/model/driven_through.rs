@@ -54,18 +54,11 @@ fn dimensions(mechanism: &Mechanism) -> Vec<&Scalar> {
 
 /// True if the input is written in the expression, or in a name that stands in it.
 fn holds(mechanism: &Mechanism, expr: &Scalar, input: InputId) -> bool {
-    let is_in = |expr: &Scalar| holds(mechanism, expr, input);
-    match expr {
+    expr.any_leaf(&|leaf| match leaf {
         Scalar::Input(id) => *id == input,
-        Scalar::Let(id) => is_in(&mechanism.lets[id.index()].rest),
-        Scalar::Negate(value) => is_in(value),
-        Scalar::AboveZero(inner) => is_in(&inner.value),
-        Scalar::Chain(first, rest) => {
-            is_in(first) || rest.iter().any(|(_, operand)| is_in(operand))
-        }
-        Scalar::Call(_, arguments) => arguments.iter().any(is_in),
+        Scalar::Let(id) => holds(mechanism, &mechanism.lets[id.index()].rest, input),
         _ => false,
-    }
+    })
 }
 
 impl Group {

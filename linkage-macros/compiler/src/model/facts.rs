@@ -6,7 +6,7 @@ use crate::diagnostics::Extent;
 use crate::exact::Exact;
 use crate::reach::line::BodyLine;
 
-use crate::model::dimension::Measure;
+use crate::model::dimension::{Dimension, Measure};
 use crate::model::mechanism::{Carrier, GuideId, PointId, Scalar};
 use crate::model::names::Entity;
 use crate::model::reads::Reads;
@@ -60,6 +60,14 @@ pub(super) struct LetFacts {
     pub reads: Reads,
     /// Power of the load that drives an input.
     pub pull: Degree,
+}
+
+impl LetFacts {
+    /// Those of a number of this dimension that reads neither rates nor loads.
+    pub(super) fn of_a_pose(of: Dimension, moves: bool) -> Self {
+        let (measure, reads, pull) = (Measure::Known(of), Reads::default(), Degree::Free);
+        Self { measure, moves, reads, pull }
+    }
 }
 
 /// Power to which a number contains the load that drives an input.

@@ -10,7 +10,7 @@ use crate::model::as_written::text;
 use crate::model::names::listed;
 use crate::model::parts_of_groups::Fields;
 use crate::model::scope::Scope;
-use crate::model::{modes, uses};
+use crate::model::{drawn_sliding, modes, uses};
 
 pub(super) fn fields<'t>(
     scope: &mut Scope<'_>,
@@ -71,7 +71,7 @@ fn field_exists(
         Some(format!("`{keyword}` can be assembled in one way only"))
     } else if is_damaged(field) {
         return None;
-    } else if let Some((missing, meaning)) = first_missing(group, anatomy, present) {
+    } else if let Some((missing, meaning)) = first_missing(scope, group, anatomy, present) {
         present.push(missing);
         scope.names.use_is_hidden = true;
         Some(format!("what is missing is `{missing}`: {meaning}"))
@@ -150,7 +150,7 @@ fn no_field_is_missing(
     anatomy: &GroupSpec,
     fields: &Fields,
 ) {
-    for (name, meaning) in needed(group, anatomy) {
+    for (name, meaning) in needed(scope, group, anatomy) {
         if fields.is_left_out(name) {
             missing(scope, group.end, name, &meaning);
         }
@@ -158,7 +158,11 @@ fn no_field_is_missing(
 }
 
 /// The fields without a default, and what they say.
-fn needed(group: &GroupStatement, anatomy: &GroupSpec) -> Vec<(&'static str, String)> {
+fn needed(
+    scope: &Scope<'_>,
+    group: &GroupStatement,
+    anatomy: &GroupSpec,
+) -> Vec<(&'static str, String)> {
     let is_needed = |rule: &&FieldRule| match rule.needed {
         Needed::Always => true,
         Needed::WithPin => group.pin.is_some(),
@@ -166,19 +170,21 @@ fn needed(group: &GroupStatement, anatomy: &GroupSpec) -> Vec<(&'static str, Str
     };
     let rules = anatomy.fields.iter().filter(is_needed);
     let mut needed: Vec<_> = rules.map(|rule| (rule.name, rule.meaning.to_string())).collect();
-    let modes = anatomy.modes.filter(|_| anatomy.mode_is_needed());
+    let is_drawn = drawn_sliding::mode_as_drawn(scope, group).is_some();
+    let modes = anatomy.modes.filter(|_| anatomy.mode_is_needed() && !is_drawn);
     needed.extend(modes.map(|modes| ("mode", modes::modes_explained(modes, group))));
     needed
 }
 
 /// A field without a default that is not given anywhere in the group.
 fn first_missing(
+    scope: &Scope<'_>,
     group: &GroupStatement,
     anatomy: &GroupSpec,
     present: &[&'static str],
 ) -> Option<(&'static str, String)> {
     let given = |name| present.contains(&name) || group.fields.iter().any(|f| f.name == name);
-    needed(group, anatomy).into_iter().find(|(name, _)| !given(name))
+    needed(scope, group, anatomy).into_iter().find(|(name, _)| !given(name))
 }
 
 fn missing(scope: &mut Scope<'_>, end: Span, name: &str, meaning: &str) {

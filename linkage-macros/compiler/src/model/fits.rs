@@ -151,11 +151,11 @@ pub(in crate::model) fn moving_part(scope: &Scope<'_>, expr: &tree::Expr) -> Opt
 /// is a length by itself.
 pub(in crate::model) fn length_is_positive(
     scope: &mut Scope<'_>,
-    expr: &tree::Expr,
+    at: Extent,
     value: &Scalar,
     what: &str,
 ) -> Option<()> {
-    let constant = scope.constant_or_default(value, expr.span);
+    let constant = scope.constant_or_default(value, at);
     let Some((constant, span)) = constant.filter(|(constant, _)| !constant.signum().is_gt()) else {
         return Some(());
     };

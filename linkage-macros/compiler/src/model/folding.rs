@@ -6,7 +6,7 @@
 use crate::exact::Exact;
 use crate::function::Function;
 
-use super::mechanism::{Operator, Scalar};
+use super::mechanism::{AboveZero, Operator, Scalar};
 
 impl Scalar {
     pub(crate) const fn is_constant(&self) -> bool {
@@ -81,6 +81,44 @@ impl Scalar {
             () if self.is_zero() || is_one(&other) => self,
             () if other.is_zero() || is_one(&self) => other,
             () => self.combined(Operator::Mul, other).expect("only a quotient may have no value"),
+        }
+    }
+
+    /// True if this is true of any part that is neither a constant nor an operation.
+    pub(super) fn any_leaf(&self, is: &dyn Fn(&Self) -> bool) -> bool {
+        match self {
+            Self::Constant(_) => false,
+            Self::Negate(value) => value.any_leaf(is),
+            Self::AboveZero(inner) => inner.value.any_leaf(is),
+            Self::Chain(first, rest) => {
+                first.any_leaf(is) || rest.iter().any(|(_, operand)| operand.any_leaf(is))
+            }
+            Self::Call(_, arguments) => arguments.iter().any(|argument| argument.any_leaf(is)),
+            leaf => is(leaf),
+        }
+    }
+
+    /// The expression with what is neither a constant nor an operation replaced; `None` where nothing replaces it, or a
+    /// function of constants has no value.
+    pub(super) fn with_leaves(&self, leaf: &mut dyn FnMut(&Self) -> Option<Self>) -> Option<Self> {
+        match self {
+            Self::Constant(_) => Some(self.clone()),
+            Self::Negate(inner) => Some(inner.with_leaves(leaf)?.negated()),
+            Self::Chain(first, rest) => {
+                rest.iter().try_fold(first.with_leaves(leaf)?, |left, (operator, operand)| {
+                    left.combined(*operator, operand.with_leaves(leaf)?)
+                })
+            }
+            Self::Call(function, arguments) => {
+                let arguments: Option<Vec<_>> =
+                    arguments.iter().map(|argument| argument.with_leaves(leaf)).collect();
+                Self::call(*function, arguments?)
+            }
+            Self::AboveZero(inner) => match inner.value.with_leaves(leaf)? {
+                value @ Self::Constant(_) => Some(value),
+                value => Some(Self::AboveZero(Box::new(AboveZero { value, ..(**inner).clone() }))),
+            },
+            _ => leaf(self),
         }
     }
 

@@ -1,17 +1,20 @@
 //! The joints of a group from its dimensions, and these from the fields of its statement as its row has them.
 
+use proc_macro2::Ident;
+
 use crate::exact::Exact;
 use crate::syntax::anatomy::JointRule;
 use crate::syntax::tree;
 
+use crate::model::figures::Figure;
 use crate::model::mechanism::{
-    Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, LinkId, PointId, Scalar,
-    Slideway,
+    Assembly, Body, Carrier, Dimension, Drive, Group, Joint, JointKind, Length, LinkId, PointId,
+    Scalar, Slideway,
 };
-use crate::model::parts_of_groups::{Dimensions, Fields, OuterJoint, Parts};
+use crate::model::parts_of_groups::{Dimensions, Fields, GroupNumbers, OuterJoint, Parts};
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
-use crate::model::{assembly, fits, modes, numbers, opposite_sides, uses};
+use crate::model::{assembly, fits, modes, opposite_sides, uses};
 
 impl Parts {
     /// Tells whether the link has its outer joint at one end and the pin at the other.
@@ -77,25 +80,69 @@ pub(super) fn dimensions(
     group: &tree::GroupStatement,
     fields: &Fields<'_>,
 ) -> Dimensions {
-    let lengths = lengths_of_bars(scope, group, fields);
-    let angle = fields.one("angle").and_then(|angle| numbers::turn(scope, angle));
+    let number = |value: &tree::Expr, of| Figure::written(value.clone(), Some(of));
+    let one = |name: &str, of| fields.one(name).map(|value| number(value, of));
+    let lengths = |one_name: &str, pair_name: &str| match fields.pair(pair_name) {
+        Some(pair) => pair.iter().map(|length| number(length, Dimension::LENGTH)).collect(),
+        None => one(one_name, Dimension::LENGTH).into_iter().collect(),
+    };
+    let numbers = GroupNumbers {
+        lengths: lengths("length", "lengths"),
+        angle: one("angle", Dimension::ANGLE),
+        slide: one("slide", Dimension::LENGTH),
+        slot: one("slot", Dimension::ANGLE),
+        offsets: lengths("offset", "offsets"),
+        ..GroupNumbers::default()
+    };
     let relative_to = match fields.one("relative_to") {
         Some(value) => relative_to_is_a_body(scope, value),
         None => fields.is_left_out("relative_to").then_some(Carrier::Ground),
     };
-    Dimensions {
-        angle: angle.map(|angle| match relative_to {
-            Some(body) => scope.mechanism.turned(body, angle),
-            None => angle,
-        }),
-        relative_to,
-        slide: fields.one("slide").and_then(|slide| numbers::length(scope, slide)),
-        slot: fields.one("slot").and_then(|slot| numbers::turn(scope, slot)),
-        slot_at: fields.one("slot").map(|slot| slot.span),
-        offsets: offsets(scope, parts, fields),
-        assembly: assembled(scope, parts, (group, fields), &lengths),
-        lengths,
+    let links = group.legs.iter().map(|leg| &leg.link);
+    let mut dimensions = resolved(scope, parts, links, (&numbers, relative_to));
+    let is_given = |name: &&str| parts.has_field(name) && !fields.is_left_out(name);
+    if numbers.offsets.is_empty() && ["offset", "offsets"].iter().any(is_given) {
+        dimensions.offsets = None;
     }
+    dimensions.assembly = assembled(scope, parts, (group, fields), &dimensions.lengths);
+    dimensions
+}
+
+/// The dimensions of a group, but for the way in which it is assembled. Offsets that are not given are zero.
+pub(super) fn resolved<'n>(
+    scope: &mut Scope<'_>,
+    parts: &Parts,
+    links: impl Iterator<Item = &'n Ident>,
+    (numbers, relative_to): (&GroupNumbers, Option<Carrier>),
+) -> Dimensions {
+    let GroupNumbers { lengths, angle, slide, slot, offsets, .. } = numbers;
+    let at = parts.at;
+    let lengths = links.enumerate().map(|(index, link)| {
+        let length = lengths.get(index)?;
+        let (at, value) = (length.at(link.span()), length.length(scope, link.span())?);
+        fits::length_is_positive(scope, at, &value, &format!("the length of `{link}`"))?;
+        let name = length.name().map_or(format!("length of {link}"), Ident::to_string);
+        Some(Length { value, name })
+    });
+    let lengths = lengths.collect();
+    let angle = angle.as_ref().and_then(|angle| angle.turn(scope));
+    let angle = angle.map(|angle| match relative_to {
+        Some(body) => scope.mechanism.turned(body, angle),
+        None => angle,
+    });
+    let slide = slide.as_ref().and_then(|slide| slide.length(scope, at));
+    let slot_at = slot.as_ref().map(|slot| slot.at(at));
+    let slot = slot.as_ref().and_then(|slot| slot.turn(scope));
+    let count = match parts.has_field("offsets") {
+        true => 2,
+        false => usize::from(parts.has_field("offset")),
+    };
+    let offsets = (0..count).map(|index| match offsets.get(index) {
+        Some(offset) => offset.length(scope, at),
+        None => Some(Scalar::zero()),
+    });
+    let (offsets, assembly) = (offsets.collect(), None);
+    Dimensions { lengths, angle, relative_to, slide, slot, slot_at, offsets, assembly }
 }
 
 /// The way in which the group is assembled.
@@ -114,51 +161,6 @@ fn assembled(
     let mode = modes::mode(scope, group, parts.anatomy, fields)?;
     let drawn = opposite_sides::drawn(scope, parts, lengths, mode);
     Some(drawn.map_or(Assembly::Signed(mode), Assembly::Parallel))
-}
-
-/// The field `length` is the first link's, `lengths` are both links'.
-fn lengths_of_bars(
-    scope: &mut Scope<'_>,
-    group: &tree::GroupStatement,
-    fields: &Fields<'_>,
-) -> Vec<Option<Length>> {
-    let legs = group.legs.iter().enumerate();
-    let lengths = legs.map(|(index, leg)| {
-        let length = match fields.pair("lengths") {
-            Some(lengths) => lengths.get(index),
-            None => fields.one("length").filter(|_| index == 0),
-        };
-        length.and_then(|length| bar_length(scope, length, &leg.link.to_string()))
-    });
-    lengths.collect()
-}
-
-/// The length of a bar, positive as far as that is known.
-fn bar_length(scope: &mut Scope<'_>, expr: &tree::Expr, link: &str) -> Option<Length> {
-    let value = numbers::length(scope, expr)?;
-    fits::length_is_positive(scope, expr, &value, &format!("the length of `{link}`"))?;
-    let name = match bare_name(expr) {
-        Some(name) => name.to_string(),
-        None => format!("length of {link}"),
-    };
-    Some(Length { value, name })
-}
-
-/// The field `offset` or `offsets`, zero where it is not given.
-fn offsets(scope: &mut Scope<'_>, parts: &Parts, fields: &Fields<'_>) -> Option<Vec<Scalar>> {
-    if parts.has_field("offset") {
-        return match fields.one("offset") {
-            Some(offset) => Some(vec![numbers::length(scope, offset)?]),
-            None => fields.is_left_out("offset").then(|| vec![Scalar::zero()]),
-        };
-    }
-    if !parts.has_field("offsets") {
-        return Some(Vec::new());
-    }
-    match fields.pair("offsets") {
-        Some(offsets) => numbers::lengths(scope, offsets).map(Vec::from),
-        None => fields.is_left_out("offsets").then(|| vec![Scalar::zero(), Scalar::zero()]),
-    }
 }
 
 /// A crank's angle is relative to the ground or to a link.

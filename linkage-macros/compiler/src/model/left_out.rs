@@ -32,17 +32,11 @@ impl Mechanism {
     }
 
     fn has_an_unknown(&self, expr: &Scalar) -> bool {
-        match expr {
+        expr.any_leaf(&|leaf| match leaf {
             Scalar::Unknown(_) | Scalar::Tracked(..) => true,
             Scalar::Let(id) => self.has_an_unknown(&self.lets[id.index()].rest),
-            Scalar::Negate(value) => self.has_an_unknown(value),
-            Scalar::Chain(first, rest) => {
-                self.has_an_unknown(first)
-                    || rest.iter().any(|(_, operand)| self.has_an_unknown(operand))
-            }
-            Scalar::Call(_, arguments) => arguments.iter().any(|expr| self.has_an_unknown(expr)),
             _ => false,
-        }
+        })
     }
 
     /// The group behind `solve` that draws the bar or the block which holds the equation.

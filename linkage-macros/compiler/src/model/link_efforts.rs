@@ -83,8 +83,7 @@ fn of_group(scope: &Scope<'_>, group: &Group, link: LinkId) -> Efforts {
                 efforts.push((point_name(scope, *point), Effort::Pin(link, *point)));
             }
             // A slide of a drawing is named by its guide.
-            JointKind::Prismatic { .. }
-                if drawn_sliding::is_drawn_sliding(scope, name).is_some() => {}
+            JointKind::Prismatic { .. } if drawn_sliding::is_drawn(scope, name) => {}
             JointKind::Prismatic { along, .. } => {
                 let by = match along {
                     Slideway::Guide(guide) => &guides[guide.index()].name,

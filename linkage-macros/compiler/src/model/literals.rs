@@ -261,7 +261,10 @@ pub(super) fn bare_lengths_are_of_a_machine(scope: &mut Scope<'_>) {
     let Some((length, span)) = &scope.facts.longest_bare_length else {
         return;
     };
-    if scope.facts.a_length_has_a_unit || length.cmp_value(&Exact::integer(LONG)).is_lt() {
+    // The numbers of a drawing are resolved before this.
+    let has_a_unit = scope.drawn.is_some() && scope.facts.longest_with_unit.is_some();
+    let is_short = length.cmp_value(&Exact::integer(LONG)).is_lt();
+    if scope.facts.a_length_has_a_unit || has_a_unit || is_short {
         return;
     }
     let (length, span) = (length.clone(), *span);

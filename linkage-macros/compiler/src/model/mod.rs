@@ -9,13 +9,13 @@
 //! | rooms, each standing on those above it | |
 //! |---|---|
 //! | `dimension`, `units`, `expr`, `ids`, `mechanism`, `acting`, `effort` | the mechanism, as later phases read it |
-//! | `names`, `facts`, `scope` | all that is declared so far |
+//! | `names`, `facts`, `figures`, `scope` | all that is declared so far |
 //! | `uses`, `declared`, `kinds`, `meant` | names where they are used, links and points where they are made |
-//! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `ratios`, `loads_in_forces`, `readings`, `expressions`, `numbers` | expressions |
+//! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `ratios`, `loads_in_forces`, `readings`, `expressions`, `numbers`, `told_numbers` | expressions, and numbers of drawings |
 //! | `effort_dimensions`, `driven_through`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given`, `poles` | efforts, and what is asked for |
 //! | `fields`, `modes`, `same_expression`, `opposite_sides`, `jointed`, `assembly`, `coincidence` | what the groups share |
 //! | `statements` | a file a statement |
-//! | `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
+//! | `items`, `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
 //! | `drawn` | links and joints into drivers and groups |
 //! | `driven` | quantities that are inputs into what drives them |
 //! | `wheels` | the cranks that are coupled as gears are |
@@ -52,12 +52,14 @@ mod expr;
 mod expressions;
 mod facts;
 mod fields;
+mod figures;
 mod findings;
 mod fits;
 mod folding;
 mod given;
 mod ids;
 mod incidence;
+mod items;
 mod jointed;
 mod kinds;
 mod laws;
@@ -96,6 +98,7 @@ mod statements;
 mod step;
 mod stub;
 mod titles;
+mod told_numbers;
 pub(crate) mod touching;
 pub(crate) mod units;
 mod unknown_friction;
@@ -111,6 +114,7 @@ use proc_macro2::TokenStream;
 use crate::diagnostics::{Diagnostic, Diagnostics, Failure};
 use crate::exact::Exact;
 use crate::model::drawn_links::DrawnLinks;
+use crate::model::items::{Item, items};
 use crate::model::mechanism::{Dimension, Mechanism, ParamKind};
 use crate::model::scope::Scope;
 use crate::model::statements::contacts;
@@ -149,7 +153,7 @@ fn resolve_statements(
         let resolved = drawn::resolve(tree, diagnostics).filter(|_| diagnostics.count() == 0);
         return resolved.ok_or_else(|| Stub(Box::new(stub_of_drawing(tree, diagnostics))));
     }
-    let scope = walked(tree, diagnostics, None);
+    let scope = walked(tree, &items(tree), diagnostics, None);
     match scope.diagnostics.count() {
         0 => Ok(scope.mechanism),
         _ => Err(Stub(Box::new(stub::stub(scope, tree)))),
@@ -168,8 +172,9 @@ pub(crate) fn written_value(text: &str) -> Result<(Exact, Dimension), Vec<Diagno
     };
     let mut diagnostics = Diagnostics::new();
     let found = syntax::parse(tokens, &mut diagnostics).and_then(|tree| {
-        let mut scope = begun::scope(&tree, &tree.unread, &mut diagnostics);
-        statement_walk::statements(&mut scope, &tree);
+        let items = items(&tree);
+        let mut scope = begun::scope(&tree, &items, &tree.unread, &mut diagnostics);
+        statement_walk::items(&mut scope, &items);
         let param = scope.mechanism.params.pop().filter(|_| tree.statements.len() == 1)?;
         match param.kind {
             ParamKind::Number { dimension, default, .. } => Some((default, dimension)),
@@ -186,7 +191,7 @@ pub(crate) fn stub(tree: &Declaration) -> Mechanism {
     let mut diagnostics = Diagnostics::new();
     let stub = match drawn::is_drawn(tree) {
         true => stub_of_drawing(tree, &mut diagnostics),
-        false => stub::stub(walked(tree, &mut diagnostics, None), tree),
+        false => stub::stub(walked(tree, &items(tree), &mut diagnostics, None), tree),
     };
     drop(diagnostics.into_mistakes());
     stub
@@ -195,43 +200,35 @@ pub(crate) fn stub(tree: &Declaration) -> Mechanism {
 /// The stub of a drawing, which may not be one of drivers and groups. Mistakes were reported.
 fn stub_of_drawing(tree: &Declaration, diagnostics: &mut Diagnostics) -> Mechanism {
     let reported = diagnostics.count();
-    let mut scope = begun::scope(tree, &tree.unread, diagnostics);
-    statement_walk::statements(&mut scope, tree);
+    let items = items(tree);
+    let mut scope = begun::scope(tree, &items, &tree.unread, diagnostics);
+    statement_walk::items(&mut scope, &items);
     let stub = stub::stub(scope, tree);
     diagnostics.forget_since(reported);
     stub
 }
 
-/// The mechanism of a declaration of drivers and groups; `None` if anything in it was reported.
-fn resolve_groups(
-    tree: &Declaration,
-    diagnostics: &mut Diagnostics,
-    drawn: &DrawnLinks,
-) -> Option<Mechanism> {
-    let scope = walked(tree, diagnostics, Some(drawn));
-    (scope.diagnostics.count() == 0).then_some(scope.mechanism)
-}
-
-/// Every statement and every rule; of a drawing, with what groups have made of its links.
+/// Every statement and every rule; of a drawing, what it became, with what groups have made of its links.
 fn walked<'d>(
     tree: &'d Declaration,
+    items: &[Item<'_>],
     diagnostics: &'d mut Diagnostics,
     drawn: Option<&'d DrawnLinks>,
 ) -> Scope<'d> {
-    let mut scope = begun::scope(tree, &tree.unread, diagnostics);
+    let mut scope = begun::scope(tree, items, &tree.unread, diagnostics);
     scope.drawn = drawn;
     let made = drawn.map_or(&[][..], |drawn| &drawn.names);
     scope.names.hide(&[made, &tree.unwritten.names].concat());
-    statement_walk::statements(&mut scope, tree);
+    statement_walk::items(&mut scope, items);
     unknowns::every_unknown_is_solved(&mut scope, tree);
     drawn_joints::links_are_as_drawn(&mut scope);
     contacts::frictions(&mut scope, tree);
     output::outputs(&mut scope, tree);
-    order::statements_are_in_order(&mut scope, tree);
+    order::items_are_in_order(&mut scope, items);
     literals::bare_lengths_are_of_a_machine(&mut scope);
     unused::an_input_is_declared(&mut scope, tree);
     scope.names.use_is_hidden |= scope.diagnostics.count() > 0;
-    unused::every_input_is_used(&mut scope, tree, drawn.is_some());
+    unused::every_input_is_used(&mut scope, tree);
     unused::actions_have_an_effect(&mut scope, tree);
     contacts::frictions_are_pressed(&mut scope, tree);
     scope.mechanism.rotatabilities = rotatability::rotatabilities(&scope.mechanism);

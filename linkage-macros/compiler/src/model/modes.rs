@@ -11,7 +11,7 @@ use crate::model::names::{Entity, Kind};
 use crate::model::parts_of_groups::Fields;
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
-use crate::model::uses;
+use crate::model::{drawn_sliding, uses};
 
 impl Modes {
     fn sign(self, word: &str) -> Option<Sign> {
@@ -79,7 +79,8 @@ pub(super) fn mode(
     let modes = anatomy.modes?;
     let Some(value) = fields.one("mode") else {
         let is_default = !anatomy.mode_is_needed() && fields.is_left_out("mode");
-        return is_default.then_some(Mode::Fixed(Sign::Plus));
+        let drawn = drawn_sliding::mode_as_drawn(scope, group);
+        return drawn.or(is_default.then_some(Sign::Plus)).map(Mode::Fixed);
     };
     let Some(word) = bare_name(value) else {
         let message = "a mode is one word";

@@ -6,7 +6,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 
 use crate::model::mechanism::{
     GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
@@ -182,6 +182,12 @@ impl Names {
     /// True if nobody has written the name.
     pub(super) fn is_hidden(&self, name: &Ident) -> bool {
         self.symbol(name).is_some_and(|symbol| symbol.is_hidden)
+    }
+
+    /// The name that stands for this.
+    pub(super) fn name_of(&self, entity: Entity) -> Option<Ident> {
+        let symbol = self.symbols.iter().find(|symbol| symbol.entity == Some(entity))?;
+        Some(Ident::new(&symbol.name, Span::call_site()))
     }
 
     pub(super) fn symbol(&self, name: &Ident) -> Option<&Symbol> {

@@ -2,37 +2,18 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::Ident;
-
-use crate::syntax::tree::{Declaration, Statement};
-
-use crate::model::references::names_used;
-use crate::model::statements::declared_by;
-
-/// The statement that makes what has this name.
-pub(super) fn maker(tree: &Declaration, name: &Ident) -> Option<usize> {
-    let makes = |statement: &Statement| {
-        declared_by(statement).iter().any(|(declared, _)| *declared == name)
-    };
-    tree.statements.iter().position(makes)
-}
+use crate::model::items::{Item, maker};
 
 /// Which statements each statement needs.
 pub(super) struct Needs(Vec<BTreeSet<usize>>);
 
 impl Needs {
-    pub(super) fn of(tree: &Declaration) -> Self {
-        Self(
-            tree.statements
-                .iter()
-                .enumerate()
-                .map(|(index, statement)| {
-                    let makers =
-                        names_used(statement).into_iter().filter_map(|name| maker(tree, &name));
-                    makers.filter(|&maker| maker != index).collect()
-                })
-                .collect(),
-        )
+    pub(super) fn of(items: &[Item<'_>]) -> Self {
+        let needs = items.iter().enumerate().map(|(index, item)| {
+            let used = item.rules.names_used().into_iter();
+            used.filter_map(|name| maker(items, &name)).filter(|&maker| maker != index).collect()
+        });
+        Self(needs.collect())
     }
 
     /// Everything that the statement needs, whether itself or by way of others.

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::syntax::tree;
 
-use crate::model::mechanism::{AngleSum, Dimension, Scalar};
+use crate::model::mechanism::{Dimension, Scalar};
 use crate::model::reads::Allowed;
 use crate::model::scope::Scope;
 use crate::model::{expressions, fits};
@@ -26,13 +26,6 @@ pub(super) fn lengths(
 /// An angle without link angles.
 pub(super) fn plain_angle(scope: &mut Scope<'_>, expr: &tree::Expr) -> Option<Scalar> {
     scalar(scope, expr, Dimension::ANGLE)
-}
-
-/// An angle, link angles included.
-pub(super) fn turn(scope: &mut Scope<'_>, expr: &tree::Expr) -> Option<AngleSum> {
-    let quantity = expressions::quantity(scope, expr)?;
-    fits::dimension_fits(scope, expr, &quantity, Dimension::ANGLE)?;
-    Some(quantity.turn())
 }
 
 pub(super) fn scalar(

@@ -3,13 +3,12 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::Expr;
-
 use crate::model::acting::{Magnitude, Mass, MassPlace};
 use crate::model::drawn_links::BarFound;
+use crate::model::figures::Figure;
 use crate::model::mechanism::{LinkId, Operator, Scalar};
 use crate::model::scope::Scope;
-use crate::model::{numbers, uses};
+use crate::model::{told_numbers, uses};
 
 /// A link of a drawing as a bar, where its group has no such bar.
 pub(in crate::model) fn bar_as_drawn<'d>(scope: &Scope<'d>, link: &Ident) -> Option<&'d BarFound> {
@@ -21,7 +20,7 @@ pub(in crate::model) fn place_as_drawn<'d>(
     scope: &Scope<'d>,
     link: &Ident,
     pin: &Ident,
-) -> Option<&'d [Expr; 2]> {
+) -> Option<&'d [Figure; 2]> {
     let mut pins = scope.drawn?.pins.iter();
     pins.find(|found| found.link == *link && found.pin == *pin).map(|found| &found.at)
 }
@@ -34,8 +33,9 @@ pub(in crate::model) fn uniform_as_drawn(
     bar: &BarFound,
 ) -> Option<Mass> {
     let link: LinkId = uses::link(scope, name)?;
+    let at = name.span();
     let (middle, length) =
-        (numbers::lengths(scope, bar.middle.as_ref()?)?, numbers::length(scope, &bar.length)?);
+        (told_numbers::lengths(scope, bar.middle.as_ref()?, at)?, bar.length.length(scope, at)?);
     let twelve = Scalar::Constant(crate::exact::Exact::integer(12));
     let inertia =
         [(Operator::Mul, length.clone()), (Operator::Mul, length), (Operator::Div, twelve)];

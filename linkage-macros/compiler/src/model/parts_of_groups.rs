@@ -7,7 +7,8 @@ use crate::syntax::anatomy::{GroupSpec, Pin};
 use crate::syntax::tree::{Expr, GroupFieldValue};
 
 use crate::model::expr::{AngleSum, Scalar};
-use crate::model::incidence::{Assembly, Carrier, Length};
+use crate::model::figures::Figure;
+use crate::model::incidence::{Assembly, Carrier, Length, Sign};
 use crate::model::mechanism::{GroupId, GuideId, LinkId, PointId};
 
 /// The things that a group makes, and those that it stands on.
@@ -38,6 +39,29 @@ pub(in crate::model) struct Fields<'t> {
     /// Fields that are there in some form, right or wrong: none of these is missing.
     pub present: Vec<&'static str>,
     pub all_are_read: bool,
+}
+
+/// The numbers that give a group, whether its fields hold them or its drawing.
+#[derive(Default)]
+pub(in crate::model) struct GroupNumbers {
+    /// Those of the first bar or of both.
+    pub lengths: Vec<Figure>,
+    pub angle: Option<Figure>,
+    pub slide: Option<Figure>,
+    pub slot: Option<Figure>,
+    /// None where all are zero.
+    pub offsets: Vec<Figure>,
+    /// In a drawing, the link that the angle is measured from; none for the ground.
+    pub relative_to: Option<Ident>,
+    /// In a drawing, the mode; none for plus, or where there is one way.
+    pub mode: Option<Sign>,
+}
+
+impl GroupNumbers {
+    pub(in crate::model) fn all(&self) -> Vec<Figure> {
+        let Self { lengths, angle, slide, slot, offsets, .. } = self;
+        lengths.iter().chain(angle).chain(slide).chain(slot).chain(offsets).cloned().collect()
+    }
 }
 
 /// The numbers that the fields of a group give, as far as they are right.

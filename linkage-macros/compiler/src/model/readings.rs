@@ -250,7 +250,7 @@ pub(super) fn link_slides(
         return Some(());
     }
     let (group, statement) = (link.made_by, scope.mechanism.statement(link.made_by));
-    let is_drawn = drawn_sliding::is_drawn_sliding(scope, name).is_some();
+    let is_drawn = drawn_sliding::is_drawn(scope, name);
     let sliding = scope.mechanism.links.iter().find(|l| l.made_by == group && l.slides);
     let reason = match sliding {
         _ if is_drawn => {

@@ -41,9 +41,7 @@ impl References {
 
 /// Every name that a statement uses, as written.
 pub(super) fn names_used(statement: &Statement) -> Vec<Ident> {
-    let mut names = Vec::new();
-    rules(statement).each_name(&mut |name| names.push(name.clone()));
-    names
+    rules(statement).names_used()
 }
 
 /// Calls `f` with every expression of the statement.

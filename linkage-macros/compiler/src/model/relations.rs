@@ -135,27 +135,11 @@ impl Mechanism {
 
     /// Tells whether the expression changes with an input.
     pub(crate) fn moves(&self, expr: &Scalar) -> bool {
-        match expr {
-            Scalar::Constant(_) | Scalar::Param(_) | Scalar::Load(_) | Scalar::Pull => false,
-            Scalar::Input(_)
-            | Scalar::Unknown(_)
-            | Scalar::Tracked(..)
-            | Scalar::Slide(_)
-            | Scalar::Coordinate(..)
-            | Scalar::Distance(_)
-            | Scalar::Offset(..)
-            | Scalar::Twist(_)
-            | Scalar::Law(_)
-            | Scalar::Effort(..)
-            | Scalar::Rate(_) => true,
+        expr.any_leaf(&|leaf| match leaf {
+            Scalar::Param(_) | Scalar::Load(_) | Scalar::Pull => false,
             Scalar::Let(id) => self.turns(&self.lets[id.index()]),
-            Scalar::Negate(value) => self.moves(value),
-            Scalar::AboveZero(inner) => self.moves(&inner.value),
-            Scalar::Chain(first, rest) => {
-                self.moves(first) || rest.iter().any(|(_, operand)| self.moves(operand))
-            }
-            Scalar::Call(_, arguments) => arguments.iter().any(|argument| self.moves(argument)),
-        }
+            _ => true,
+        })
     }
 
     /// Tells whether the angle changes with an input.

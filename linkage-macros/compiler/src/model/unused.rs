@@ -23,11 +23,7 @@ pub(in crate::model) fn an_input_is_declared(scope: &mut Scope<'_>, tree: &Decla
 
 /// Every input is used by something other than a `let` that nothing uses. It waits for other mistakes, which may
 /// have hidden the use.
-pub(in crate::model) fn every_input_is_used(
-    scope: &mut Scope<'_>,
-    tree: &Declaration,
-    is_drawn: bool,
-) {
+pub(in crate::model) fn every_input_is_used(scope: &mut Scope<'_>, tree: &Declaration) {
     if scope.names.use_is_hidden {
         return;
     }
@@ -45,7 +41,7 @@ pub(in crate::model) fn every_input_is_used(
             continue;
         }
         let message = format!("nothing uses the input `{name}`; use it or remove it");
-        let reason = match (input.dimension, is_drawn) {
+        let reason = match (input.dimension, scope.drawn.is_some()) {
             (Dimension::ANGLE, true) => {
                 format!("a drive takes it: `drive AB.angle = {name};`")
             }

@@ -107,7 +107,7 @@ impl Gearing<'_> {
         (self.0.owner(centre) == Some(Body::Ground)).then(|| Wheels {
             bodies: [Carrier::Ground, Carrier::Link(crank.link)],
             centres: [centre, crank.centre],
-            ratio: negative(ratio),
+            ratio: ratio.negated(),
         })
     }
 
@@ -121,7 +121,7 @@ impl Gearing<'_> {
     fn ratio(&self, first: &TurnedLink<'_>, second: &TurnedLink<'_>) -> Option<Scalar> {
         match [first, second].map(|crank| self.turned_by_an_input(crank)) {
             [Some((input, by)), Some((other, times))] if input == other => {
-                chained(times, Operator::Div, by)
+                times.combined(Operator::Div, by)
             }
             _ => None,
         }
@@ -147,8 +147,8 @@ impl Gearing<'_> {
                 self.line(&self.0.lets[id.index()].rest)
             }
             Scalar::Negate(value) => Some(match self.line(value)? {
-                ByInputs::Multiple(input, times) => ByInputs::Multiple(input, negative(times)),
-                ByInputs::Still(value) => ByInputs::Still(negative(value)),
+                ByInputs::Multiple(input, times) => ByInputs::Multiple(input, times.negated()),
+                ByInputs::Still(value) => ByInputs::Still(value.negated()),
             }),
             Scalar::Chain(first, rest) => {
                 rest.iter().try_fold(self.line(first)?, |a, (operator, b)| {
@@ -164,26 +164,6 @@ fn whole(number: i64) -> Scalar {
     Scalar::Constant(Exact::integer(number))
 }
 
-fn negative(number: Scalar) -> Scalar {
-    match number {
-        Scalar::Constant(value) => Scalar::Constant(value.neg()),
-        number => Scalar::Negate(Box::new(number)),
-    }
-}
-
-/// Two numbers by an operator; none where the second is zero and divides.
-fn chained(a: Scalar, operator: Operator, b: Scalar) -> Option<Scalar> {
-    let (Scalar::Constant(x), Scalar::Constant(y)) = (&a, &b) else {
-        return Some(Scalar::Chain(Box::new(a), vec![(operator, b)]));
-    };
-    Some(Scalar::Constant(match operator {
-        Operator::Add => x.add(y),
-        Operator::Sub => x.sub(y),
-        Operator::Mul => x.mul(y),
-        Operator::Div => x.div(y)?,
-    }))
-}
-
 fn combined(a: ByInputs, operator: Operator, b: ByInputs) -> Option<ByInputs> {
     use ByInputs::{Multiple, Still};
     use Operator::{Add, Div, Mul, Sub};
@@ -191,15 +171,15 @@ fn combined(a: ByInputs, operator: Operator, b: ByInputs) -> Option<ByInputs> {
         (Multiple(input, times), Add | Sub, Still(_)) | (Still(_), Add, Multiple(input, times)) => {
             Multiple(input, times)
         }
-        (Still(_), Sub, Multiple(input, times)) => Multiple(input, negative(times)),
+        (Still(_), Sub, Multiple(input, times)) => Multiple(input, times.negated()),
         (Multiple(input, a), Add | Sub, Multiple(other, b)) if input == other => {
-            Multiple(input, chained(a, operator, b)?)
+            Multiple(input, a.combined(operator, b)?)
         }
         (Multiple(input, times), Mul | Div, Still(by))
         | (Still(by), Mul, Multiple(input, times)) => {
-            Multiple(input, chained(times, operator, by)?)
+            Multiple(input, times.combined(operator, by)?)
         }
-        (Still(a), operator, Still(b)) => Still(chained(a, operator, b)?),
+        (Still(a), operator, Still(b)) => Still(a.combined(operator, b)?),
         _ => return None,
     })
 }

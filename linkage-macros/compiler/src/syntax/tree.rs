@@ -77,10 +77,6 @@ pub(crate) enum StatementKind {
     Unknown(UnknownStatement),
     /// `solve theta { ram.slide = x, mode: falling, near: seed }`
     Solve(Solve),
-    /// The unknowns of a group of a drawing that is solved by all of them at once.
-    Track(TrackStatement),
-    /// The points that close its loops.
-    Close(CloseStatement),
     /// `let half = l / 2;`
     Let(LetStatement),
     /// `ground A(0, 0), D(…);`

@@ -1,16 +1,15 @@
-//! Mechanisms as they are drawn: `pin`, `link` and `drive` into the statements of drivers and
-//! groups.
+//! Mechanisms as they are drawn: `pin`, `link` and `drive` into drivers and groups.
 //!
 //! | rooms, each standing on those above it | |
 //! |---|---|
-//! | `outline` | what is drawn: its numbers, frames, lines and bodies, and messages about them |
+//! | `outline` | what is drawn: its frames, lines and bodies, and messages about them |
 //! | `reading` | reads these from the statements |
 //! | `drive_equations` | the inputs at which the drives are as drawn, and what each moves |
 //! | `group_frames` | the frames that groups give links |
-//! | `writing` | writes each step of the cut as a statement of the language, all in solving order |
+//! | `writing` | makes a group of each step of the cut, all in solving order |
 //!
-//! Between `drive_equations` and `writing` the room `chain` cuts the machine that is drawn. What comes out is resolved like
-//! any declaration, so that there is one meaning of everything. A group may have a slide or a drive the other way round, or
+//! Between `drive_equations` and `writing` the room `chain` cuts the machine that is drawn. What comes out is resolved by
+//! the rules of declared groups, so that there is one meaning of everything. A group may have a slide or a drive the other way round, or
 //! measure it from elsewhere: `group_frames` says so, and `drawn_joints` tells the mechanism.
 
 mod drive_equations;
@@ -30,15 +29,22 @@ use crate::syntax::tree::{
     Declaration, LinkStatement, PinStatement, PointStatement, Statement, StatementKind,
 };
 
-use super::mechanism::{Mechanism, References};
+use super::drawn_links::DrawnLinks;
+use super::mechanism::Mechanism;
 use outline::bodies::Bodies;
 use reading::reader::Reader;
 use reading::values::Measured;
 pub(crate) use reading::values::value as value_at_defaults;
-use writing::writer::Translated;
+use writing::sorted::Written;
 
-/// The groups of a drawing, the inputs of its pose where the drives determine them, and its bodies.
-type CutDrawing = (Translated, Option<Vec<f64>>, Outline);
+/// A drawing as groups.
+struct CutDrawing<'t> {
+    items: Vec<Written<'t>>,
+    links: DrawnLinks,
+    /// The inputs of its pose, where the drives determine them.
+    inputs: Option<Vec<f64>>,
+    outline: Outline,
+}
 
 /// True if anything of the declaration is drawn.
 pub(super) fn is_drawn(tree: &Declaration) -> bool {
@@ -57,16 +63,16 @@ fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
 /// The mechanism that a drawing means.
 pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
     let turned = reading::couplings::turned_round(tree);
-    let (groups, inputs, outline) = cut(turned.as_ref().unwrap_or(tree), diagnostics)?;
-    let Translated { statements, links, searches, holds_links, .. } = groups;
-    let groups = Declaration { statements, ..tree.clone() };
-    let mut mechanism = super::resolve_groups(&groups, diagnostics, &links)?;
-    mechanism.references = References::of(tree);
+    let CutDrawing { items, links, inputs, outline } =
+        cut(turned.as_ref().unwrap_or(tree), diagnostics)?;
+    let items: Vec<_> = items.iter().map(Written::item).collect();
+    let scope = super::walked(tree, &items, diagnostics, Some(&links));
+    let mut mechanism = (scope.diagnostics.count() == 0).then_some(scope.mechanism)?;
     mechanism.drawn = inputs;
     mechanism.outline = Some(outline);
     mechanism.as_drawn.is_found = true;
-    mechanism.as_drawn.searches = searches;
-    if holds_links {
+    mechanism.as_drawn.searches = links.searches;
+    if links.holds_links {
         // Bars stand for links, so that what pushes in the joints of these is not known.
         outline::messages::report_held_reactions(tree, &mechanism, diagnostics);
         let asked = std::mem::take(&mut mechanism.dynamics.asked);
@@ -79,7 +85,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 }
 
 /// The drawing as groups; `None` where it is in error, which was reported.
-fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<CutDrawing> {
+fn cut<'t>(tree: &'t Declaration, diagnostics: &mut Diagnostics) -> Option<CutDrawing<'t>> {
     let mut values = Measured::of(tree, diagnostics)?;
     let (mut reader, drives) = Reader::of(tree, &mut values)?;
     if tree.is_damaged {
@@ -99,14 +105,14 @@ fn cut(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<CutDrawing> 
     outline::listed_assemblies::note_assemblies(&bodies, &steps, values.scope.diagnostics);
     let inputs = values.inputs_of_the_drawing(&bodies);
     bodies.driven = values.driven(&bodies, inputs.as_deref());
-    let mut writer = writing::writer::Writer::new(&bodies, &values.pen);
+    let mut writer = writing::writer::Writer::new(&bodies);
     writer.fixed_links();
     steps.iter().for_each(|step| writer.step(step));
-    let groups = writer.declaration();
-    let (misplaced, bars) = (&groups.misplaced, &groups.links.bars);
-    writing::placed::report_places_of_unplaced(&bodies, misplaced, values.scope.diagnostics)?;
-    writing::placed::report_distances_apart(&bodies, bars, values.scope.diagnostics)?;
-    Some((groups, inputs, bodies.outline()))
+    let (items, links) = writer.finish();
+    let diagnostics = values.scope.diagnostics;
+    writing::placed::report_places_of_unplaced(&bodies, &links.misplaced, diagnostics)?;
+    writing::placed::report_distances_apart(&bodies, &links.bars, diagnostics)?;
+    Some(CutDrawing { items, links, inputs, outline: bodies.outline() })
 }
 
 /// The groups of the machine; `None` where there are none, or one is at its limit, which was reported.
@@ -158,9 +164,9 @@ fn document(mechanism: &mut Mechanism, statement: &Statement) {
     }
 }
 
-impl Bodies<'_> {
+impl<'t> Bodies<'t> {
     /// The statements that stay as they are, but for what they say of links.
-    fn other_statements(&self) -> impl Iterator<Item = (usize, &Statement)> {
+    fn other_statements(&self) -> impl Iterator<Item = (usize, &'t Statement)> + use<'t> {
         let statements = self.tree.statements.iter().enumerate();
         statements.filter(|(_, statement)| !is_of_a_drawing(&statement.kind))
     }

@@ -3,8 +3,8 @@
 use crate::chain::machine::GROUND;
 use crate::chain::plane::Complex;
 use crate::model::drawn::outline::bodies::Bodies;
-use crate::model::drawn::outline::figures::Figure;
 use crate::model::drawn_bodies::{Outline, OutlinedBody, OutlinedGuide};
+use crate::model::figures::Figure;
 use crate::syntax::tree::{ExprKind, StatementKind};
 
 impl Bodies<'_> {

@@ -1,42 +1,35 @@
-//! A group of a drawing that is solved by all its unknowns at once: where it begins, and the points that close its loops. Nobody
-//! writes these statements.
+//! A group of a drawing that is solved by all its unknowns at once: where it begins, and the points that close its
+//! loops.
 
 use proc_macro2::{Ident, Span};
-use syn::Attribute;
 
-use crate::syntax::tree::{CloseStatement, Expr, TrackStatement};
+use crate::syntax::tree::Expr;
 
-use crate::model::dimension::Measure;
-use crate::model::facts::{Degree, LetFacts};
+use crate::model::facts::LetFacts;
+use crate::model::figures::Figure;
 use crate::model::mechanism::{
-    AngleSum, Dimension, GroupName, LetId, Scalar, Tracked, TrackedClosing, TrackedId,
+    AngleSum, Dimension, GroupName, Scalar, Tracked, TrackedClosing, TrackedId,
 };
-use crate::model::names::{Entity, Kind};
-use crate::model::reads::Reads;
+use crate::model::names::Kind;
 use crate::model::scope::Scope;
 use crate::model::solved_at_once::TrackedFit;
-use crate::model::statements::Rules;
+use crate::model::statements::made::MadeItem;
+use crate::model::statements::named;
 use crate::model::{declared, drawn_sliding, expressions, uses};
 
-impl Rules for TrackStatement {
-    fn declares(&self) -> Vec<(&Ident, Kind)> {
-        self.unknowns.iter().map(|name| (name, Kind::Let)).collect()
-    }
-
-    fn title(&self, name: &str) -> String {
-        format!("unknown {name}")
-    }
-
-    fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
-        f(&self.drive);
-    }
-
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
-        let drive = expressions::quantity(scope, &self.drive);
-        let found = scope.drawn.and_then(|drawn| drawn.tracked.get(self.group));
-        let (Some(drive), Some((links, fit))) = (drive, found) else { return };
-        track(scope, &self.unknowns, drive.turn(), (links, fit));
-    }
+/// The unknowns of a group that is solved by all of them at once, links that are known over the value of a drive.
+pub(in crate::model) fn made_tracking(
+    unknowns: Vec<Ident>,
+    drive: Expr,
+    (links, fit): (Vec<Ident>, TrackedFit),
+) -> MadeItem {
+    let makes = unknowns.iter().map(|name| (name.clone(), Kind::Unknown)).collect();
+    let numbers = vec![Figure::written(drive.clone(), None)];
+    MadeItem::new(makes, Vec::new(), numbers, move |scope, _| {
+        if let Some(drive) = expressions::quantity(scope, &drive) {
+            track(scope, &unknowns, drive.turn(), (&links, &fit));
+        }
+    })
 }
 
 fn track(
@@ -48,12 +41,8 @@ fn track(
     let id = TrackedId(scope.mechanism.tracked.len() as u32);
     for (index, (name, unknown)) in names.iter().zip(&fit.unknowns).enumerate() {
         let of = if unknown.is_angle { Dimension::ANGLE } else { Dimension::LENGTH };
-        let (measure, reads, pull) = (Measure::Known(of), Reads::default(), Degree::Free);
-        scope.facts.lets.push(LetFacts { measure, moves: true, reads, pull });
-        let rest = Scalar::Tracked(id, index);
-        scope.mechanism.lets.push(AngleSum { links: Vec::new(), rest });
-        let entity = Entity::Let(LetId(scope.mechanism.lets.len() as u32 - 1));
-        scope.names.bind(name, entity);
+        let value = AngleSum { links: Vec::new(), rest: Scalar::Tracked(id, index) };
+        named::new_let(scope, name, value, LetFacts::of_a_pose(of, true));
     }
     let group = declared::next_group(scope);
     let span = names.first().map_or(Span::call_site(), Ident::span);
@@ -66,16 +55,19 @@ fn track(
     scope.mechanism.tracked.push(Tracked { group, drive, fit, steps, closings });
 }
 
-impl Rules for CloseStatement {
-    fn builds_on(&self) -> Vec<&Ident> {
-        self.unknowns.iter().chain(self.points.iter().flatten()).collect()
-    }
-
-    fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
+/// The pairs of points that close the loops of such a group, each with a bound on the second derivatives of the vector
+/// between both.
+pub(in crate::model) fn made_closing(
+    unknowns: Vec<Ident>,
+    pairs: Vec<([Ident; 2], f64)>,
+) -> MadeItem {
+    let points = pairs.iter().flat_map(|(points, _)| points.clone());
+    let builds_on = unknowns.into_iter().chain(points).collect();
+    MadeItem::new(Vec::new(), builds_on, Vec::new(), move |scope, _| {
         let mut closings = Vec::new();
-        for ([made, met], &bend) in self.points.iter().zip(&self.bends) {
+        for ([made, met], bend) in &pairs {
             if let (Some(made), Some(met)) = (uses::point(scope, made), uses::point(scope, met)) {
-                closings.push(TrackedClosing { points: [made, met], bend });
+                closings.push(TrackedClosing { points: [made, met], bend: *bend });
             }
         }
         let steps = scope.mechanism.steps.len();
@@ -83,5 +75,5 @@ impl Rules for CloseStatement {
             tracked.closings = closings;
             tracked.steps[1] = steps;
         }
-    }
+    })
 }

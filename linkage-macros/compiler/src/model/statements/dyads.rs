@@ -10,10 +10,10 @@ use crate::syntax::words::built_by;
 
 use crate::model::mechanism::{GroupId, GroupName, PartOf, PointId, Step};
 use crate::model::names::{Entity, Kind};
-use crate::model::parts_of_groups::{OuterJoint, Parts};
+use crate::model::parts_of_groups::{Dimensions, OuterJoint, Parts};
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
-use crate::model::{declared, drawn_joints, drawn_sliding, fields, jointed, uses};
+use crate::model::{declared, fields, jointed, uses};
 
 impl Rules for tree::GroupStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
@@ -89,28 +89,29 @@ fn group(scope: &mut Scope<'_>, docs: &[Attribute], group: &tree::GroupStatement
     }
     let id = declared::next_group(scope);
     let links: Vec<_> = (group.legs.iter().zip(anatomy.slides()))
-        .map(|(leg, slides)| {
-            let slides = drawn_sliding::is_drawn_sliding(scope, &leg.link).unwrap_or(slides);
-            declared::add_link(scope, docs, &leg.link, id, slides)
-        })
+        .map(|(leg, slides)| declared::add_link(scope, docs, &leg.link, id, slides))
         .collect();
     let pin = pin(scope, docs, group, anatomy, id);
-    let keyword = group.keyword.clone();
-    let title = drawn_sliding::title_as_drawn(scope, group.legs.iter().map(|leg| &leg.link));
+    let (keyword, title) = (group.keyword.clone(), group.title());
     scope.mechanism.groups.push(GroupName { keyword, title });
     let outer = outer_joints(scope, group, anatomy);
     let fields = fields::fields(scope, group, anatomy);
     let (at, pin_name) = (group.keyword.span(), group.pin.clone());
     let parts = Parts { at, anatomy, id, links, outer, pin_name, pin };
     let dimensions = jointed::dimensions(scope, &parts, group, &fields);
-    let step = jointed::place_group(scope, &parts, dimensions).map(Step::Group);
-    facts_of_what_was_made(scope, &parts, step.is_some(), moves);
-    scope.mechanism.steps.extend(step);
-    drawn_joints::joints_are_as_drawn(scope, &parts);
+    group_is_made(scope, &parts, dimensions, moves);
 }
 
-/// Everything a group makes moves if anything it was given moves.
-fn facts_of_what_was_made(scope: &mut Scope<'_>, parts: &Parts, is_placed: bool, moves: bool) {
+/// The step of a group. Everything that it makes moves if anything it was given moves.
+pub(in crate::model) fn group_is_made(
+    scope: &mut Scope<'_>,
+    parts: &Parts,
+    dimensions: Dimensions,
+    moves: bool,
+) {
+    let step = jointed::place_group(scope, parts, dimensions).map(Step::Group);
+    let is_placed = step.is_some();
+    scope.mechanism.steps.extend(step);
     let pin_is_known = parts.pin.is_some() == parts.has_pin();
     for (link, joint) in parts.links.iter().zip(&parts.outer) {
         if let Some(link) = link {

@@ -1,6 +1,6 @@
 //! Guides: lines with a direction, fixed in the ground or in a link.
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 use syn::Attribute;
 
 use crate::exact::Exact;
@@ -9,22 +9,19 @@ use crate::syntax::tree::{Course, Expr, GuideAnchor, GuideStatement};
 
 use crate::model::assembly::constants;
 use crate::model::facts::GuideFacts;
+use crate::model::figures::Figure;
 use crate::model::mechanism::{
-    Carrier, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through,
+    Carrier, Dimension, Guide, GuideDirection, GuideId, LinkId, PointId, Step, Through,
 };
 use crate::model::names::{Entity, Kind};
-use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
-use crate::model::{numbers, uses};
+use crate::model::statements::made::MadeItem;
+use crate::model::{told_numbers, uses};
 
 impl Rules for GuideStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
         vec![(&self.name, Kind::Guide)]
-    }
-
-    fn title(&self, name: &str) -> String {
-        format!("guide {name}")
     }
 
     fn builds_on(&self) -> Vec<&Ident> {
@@ -42,14 +39,8 @@ impl Rules for GuideStatement {
     }
 
     fn resolve(&self, scope: &mut Scope<'_>, _docs: &[Attribute]) {
-        guide_line(
-            scope,
-            &self.name,
-            self.on.as_ref(),
-            &self.through,
-            &self.course,
-            self.moves(scope),
-        );
+        let line = (&anchor_in_figures(&self.through), &course_in_figures(&self.course));
+        guide_line(scope, (&self.name, self.on.as_ref()), line, (false, self.moves(scope)));
     }
 
     fn stand_in(&self, scope: &mut Scope<'_>, _docs: &[Attribute], name: &Ident) -> Option<Entity> {
@@ -64,40 +55,80 @@ impl Rules for GuideStatement {
 
 /// The points that a guide runs through and towards, where it names them.
 pub(in crate::model) fn guide_points(guide: &GuideStatement) -> [Option<&Ident>; 2] {
-    let through = match &guide.through {
+    [anchor_point(&guide.through), course_point(&guide.course)]
+}
+
+fn anchor_point<N>(anchor: &GuideAnchor<N>) -> Option<&Ident> {
+    match anchor {
         GuideAnchor::Point(point) => Some(point),
         GuideAnchor::At(_) | GuideAnchor::Mistake => None,
-    };
-    let towards = match &guide.course {
+    }
+}
+
+fn course_point<N>(course: &Course<N>) -> Option<&Ident> {
+    match course {
         Course::Towards(point) => Some(point),
         Course::Along(_) | Course::Mistake => None,
-    };
-    [through, towards]
+    }
 }
+
+pub(in crate::model) fn anchor_in_figures(anchor: &GuideAnchor) -> GuideAnchor<Figure> {
+    match anchor {
+        GuideAnchor::At(place) => GuideAnchor::At(
+            place.clone().map(|part| Figure::written(part, Some(Dimension::LENGTH))),
+        ),
+        GuideAnchor::Point(point) => GuideAnchor::Point(point.clone()),
+        GuideAnchor::Mistake => GuideAnchor::Mistake,
+    }
+}
+
+pub(in crate::model) fn course_in_figures(course: &Course) -> Course<Figure> {
+    match course {
+        Course::Along(angle) => {
+            Course::Along(Figure::written(angle.clone(), Some(Dimension::ANGLE)))
+        }
+        Course::Towards(point) => Course::Towards(point.clone()),
+        Course::Mistake => Course::Mistake,
+    }
+}
+
+/// A guide that a drawing became or places. Numbers are in the frame that a group gave its link, or in the written one.
+pub(in crate::model) fn made_guide(
+    name: Ident,
+    on: Option<Ident>,
+    (through, course): (GuideAnchor<Figure>, Course<Figure>),
+    is_in_its_group: bool,
+) -> MadeItem {
+    let points = anchor_point(&through).into_iter().chain(course_point(&course));
+    let builds_on = on.iter().chain(points).cloned().collect();
+    let mut numbers = Vec::new();
+    if let GuideAnchor::At(place) = &through {
+        numbers.extend(place.iter().cloned());
+    }
+    if let Course::Along(angle) = &course {
+        numbers.push(angle.clone());
+    }
+    MadeItem::new(vec![(name.clone(), Kind::Guide)], builds_on, numbers, move |scope, moves| {
+        guide_line(scope, (&name, on.as_ref()), (&through, &course), (is_in_its_group, moves));
+    })
+}
+
+/// Where a guide goes through or towards, and its place if that is constant.
+type Anchored<T> = Option<(T, Option<[Exact; 2]>)>;
 
 fn guide_line(
     scope: &mut Scope<'_>,
-    name: &Ident,
-    on: Option<&Ident>,
-    through: &GuideAnchor,
-    course: &Course,
-    moves: bool,
+    (name, on): (&Ident, Option<&Ident>),
+    (through, course): (&GuideAnchor<Figure>, &Course<Figure>),
+    (is_in_its_group, moves): (bool, bool),
 ) {
     let is_new = uses::name_is_new(scope, name).is_some();
     let carrier = carrier(scope, on);
-    let is_told_in_its_group = scope.drawn.is_some_and(|drawn| drawn.placed.contains(name));
-    let body = carrier.filter(|_| !is_told_in_its_group).unwrap_or(Carrier::Ground);
-    let through = spot(scope, through, carrier, body);
-    let course = self::course(scope, course, carrier, body);
-    let differ = match (&through, &course) {
-        (Some((spot, from)), Some((course, _))) => {
-            guide_has_a_direction(scope, name, carrier, spot, from.as_ref(), course)
-        }
-        _ => None,
-    };
-    let (true, Some(carrier)) = (is_new, carrier) else {
-        return;
-    };
+    let frame = carrier.filter(|_| !is_in_its_group).unwrap_or(Carrier::Ground);
+    let through = spot(scope, (through, name.span()), carrier, frame);
+    let course = self::course(scope, (course, name.span()), carrier, frame);
+    let course = guide_has_a_direction(scope, name, carrier, &through, course);
+    let Some(carrier) = carrier.filter(|_| is_new) else { return };
     let id = GuideId(scope.mechanism.guides.len() as u32);
     scope.mechanism.guides.push(Guide { name: name.clone() });
     scope.names.bind(name, Entity::Guide(id));
@@ -111,7 +142,7 @@ fn guide_line(
     };
     let line = place.zip(angle.clone()).map(|(through, angle)| BodyLine { through, angle });
     scope.facts.guides.push(GuideFacts { moves, carrier, line, angle });
-    if let (Some((through, _)), Some((course, _)), Some(())) = (through, course, differ) {
+    if let (Some((through, _)), Some((course, _))) = (through, course) {
         scope.mechanism.steps.push(Step::Guide { guide: id, carrier, through, course });
     }
 }
@@ -128,13 +159,13 @@ pub(in crate::model) fn carrier(scope: &mut Scope<'_>, on: Option<&Ident>) -> Op
 /// The point a guide goes through, and its place if that is constant. Coordinates are in the written frame of the body.
 fn spot(
     scope: &mut Scope<'_>,
-    spot: &GuideAnchor,
+    (spot, at): (&GuideAnchor<Figure>, Span),
     carrier: Option<Carrier>,
     body: Carrier,
-) -> Option<(Through, Option<[Exact; 2]>)> {
+) -> Anchored<Through> {
     match spot {
         GuideAnchor::At(place) => {
-            let place = numbers::lengths(scope, place)?;
+            let place = told_numbers::lengths(scope, place, at)?;
             let place = scope.mechanism.placed(body, place);
             let at = constants(&place);
             Some((Through::At(place), at))
@@ -151,14 +182,14 @@ fn spot(
 /// of the body.
 fn course(
     scope: &mut Scope<'_>,
-    course: &Course,
+    (course, at): (&Course<Figure>, Span),
     carrier: Option<Carrier>,
     body: Carrier,
-) -> Option<(GuideDirection, Option<[Exact; 2]>)> {
+) -> Anchored<GuideDirection> {
     match course {
         Course::Along(angle) => {
-            axis_is_an_angle(scope, angle)?;
-            let angle = numbers::turn(scope, angle)?;
+            axis_is_an_angle(scope, (angle, at))?;
+            let angle = angle.turn(scope)?;
             Some((GuideDirection::Along(scope.mechanism.turned(body, angle)), None))
         }
         Course::Towards(name) => {
@@ -170,15 +201,15 @@ fn course(
 }
 
 /// An axis, by its name, is no angle.
-fn axis_is_an_angle(scope: &mut Scope<'_>, angle: &Expr) -> Option<()> {
-    let name = bare_name(angle).filter(|name| scope.names.kind(name).is_none());
+fn axis_is_an_angle(scope: &mut Scope<'_>, (angle, at): (&Figure, Span)) -> Option<()> {
+    let name = angle.name().filter(|name| scope.names.kind(name).is_none());
     let degrees = match name.map(ToString::to_string).as_deref() {
         Some("x" | "X" | "horizontal") => "0deg",
         Some("y" | "Y" | "vertical") => "90deg",
         _ => return Some(()),
     };
     let message = format!("write `along {degrees}`");
-    scope.diagnostics.error_because(angle.span, message, "a direction is an angle from +x");
+    scope.diagnostics.error_because(angle.at(at), message, "a direction is an angle from +x");
     None
 }
 
@@ -232,25 +263,25 @@ fn links_through<'s>(scope: &'s Scope<'_>, point: PointId) -> Vec<&'s Ident> {
         .collect()
 }
 
-/// The two points of a guide are not the same, nor at the same constant place.
+/// The course of a guide; none where its two points are the same, or at the same constant place, which is reported.
 fn guide_has_a_direction(
     scope: &mut Scope<'_>,
     name: &Ident,
     carrier: Option<Carrier>,
-    through: &Through,
-    from: Option<&[Exact; 2]>,
-    course: &GuideDirection,
-) -> Option<()> {
-    let GuideDirection::Towards(to) = course else {
-        return Some(());
+    through: &Anchored<Through>,
+    course: Anchored<GuideDirection>,
+) -> Anchored<GuideDirection> {
+    let (Some((through, from)), Some((GuideDirection::Towards(to), _))) = (through, &course) else {
+        return course;
     };
     let same = matches!(through, Through::Point(point) if point == to);
     let place = carrier.and_then(|carrier| scope.facts.place(*to, carrier));
     let coincide = from
+        .as_ref()
         .zip(place)
         .is_some_and(|(from, to)| from.iter().zip(to).all(|(from, to)| from.sub(to).is_zero()));
     if !same && !coincide {
-        return Some(());
+        return course;
     }
     let message = format!("`{name}` has no direction; choose two points that differ");
     let to = &scope.mechanism.points[to.index()].name;

@@ -17,10 +17,6 @@ impl Rules for InputStatement {
         self.names.iter().map(|name| (name, Kind::Input)).collect()
     }
 
-    fn title(&self, name: &str) -> String {
-        format!("input {name}")
-    }
-
     fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         input(scope, docs, &self.names, self.kind.as_ref());
     }

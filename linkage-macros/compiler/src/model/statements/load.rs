@@ -21,10 +21,6 @@ impl Rules for LoadStatement {
         self.names.iter().map(|name| (name, Kind::Load)).collect()
     }
 
-    fn title(&self, name: &str) -> String {
-        format!("load {name}")
-    }
-
     fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
         load(scope, docs, &self.names, self.kind.as_ref());
     }

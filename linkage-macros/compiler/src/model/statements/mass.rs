@@ -13,7 +13,7 @@ use crate::model::mechanism::{Body, Carrier, Dimension, LinkId, PointId, Scalar}
 use crate::model::names::Kind;
 use crate::model::scope::Scope;
 use crate::model::statements::{Rules, acts, guides};
-use crate::model::{meant, numbers, on_drawn_links, uses};
+use crate::model::{meant, numbers, on_drawn_links, told_numbers, uses};
 
 impl Rules for MassStatement {
     fn builds_on(&self) -> Vec<&Ident> {
@@ -154,7 +154,7 @@ fn mass_place(scope: &mut Scope<'_>, on: &Ident, place: &Written) -> Option<Mass
             let id = uses::point(scope, point);
             let (link, id) = (link?, id?);
             if let Some(place) = on_drawn_links::place_as_drawn(scope, on, point) {
-                return Some(MassPlace::At(link, numbers::lengths(scope, place)?));
+                return Some(MassPlace::At(link, told_numbers::lengths(scope, place, on.span())?));
             }
             point_is_on_link(scope, point, id, link)?;
             Some(MassPlace::Point(link, id))

@@ -5,7 +5,7 @@
 //! statements through these, and knows no kind by itself.
 
 pub(super) mod acts;
-mod closed_loops;
+pub(super) mod closed_loops;
 pub(super) mod contacts;
 pub(super) mod drive_by;
 pub(super) mod dyads;
@@ -16,6 +16,8 @@ pub(super) mod ground;
 pub(super) mod guides;
 pub(super) mod input;
 pub(super) mod load;
+pub(super) mod made;
+pub(super) mod made_groups;
 pub(super) mod mass;
 pub(super) mod named;
 pub(super) mod output;
@@ -46,8 +48,8 @@ pub(super) trait Rules {
     }
 
     /// The statement that declares `name`, as messages call it: `crank AB`. Empty where no message does.
-    fn title(&self, _name: &str) -> String {
-        String::new()
+    fn title(&self, name: &str) -> String {
+        titled(&self.declares(), name)
     }
 
     /// The points, links and guides that it builds on.
@@ -62,6 +64,13 @@ pub(super) trait Rules {
     fn each_name(&self, f: &mut dyn FnMut(&Ident)) {
         self.builds_on().into_iter().for_each(&mut *f);
         self.each_expression(&mut |expr| expr.each_name(f));
+    }
+
+    /// Every name that it uses, as written.
+    fn names_used(&self) -> Vec<Ident> {
+        let mut names = Vec::new();
+        self.each_name(&mut |name| names.push(name.clone()));
+        names
     }
 
     /// True if it uses a name of which this is true.
@@ -90,6 +99,12 @@ pub(super) trait Rules {
     }
 }
 
+/// The word for one of these names in front of it; empty where it is none of them.
+fn titled(names: &[(&Ident, Kind)], name: &str) -> String {
+    let kind = names.iter().find(|(own, _)| *own == name).map(|(_, kind)| kind);
+    kind.map_or(String::new(), |kind| format!("{} {name}", kind.word()))
+}
+
 /// The rules of a statement.
 pub(super) fn rules(statement: &Statement) -> &dyn Rules {
     match &statement.kind {
@@ -99,8 +114,6 @@ pub(super) fn rules(statement: &Statement) -> &dyn Rules {
         StatementKind::Let(it) => it,
         StatementKind::Unknown(it) => it,
         StatementKind::Solve(it) => it,
-        StatementKind::Track(it) => it,
-        StatementKind::Close(it) => it,
         StatementKind::Ground(it) => it,
         StatementKind::Pin(it) => it,
         StatementKind::Link(it) => it,

@@ -6,11 +6,13 @@ use syn::Attribute;
 use crate::syntax::tree::{Expr, LetStatement};
 
 use crate::model::facts::LetFacts;
-use crate::model::mechanism::{LawId, LetId};
+use crate::model::figures::Figure;
+use crate::model::mechanism::{AngleSum, Dimension, LawId, LetId};
 use crate::model::names::{Entity, Kind};
 use crate::model::reads::Allowed;
 use crate::model::scope::Scope;
 use crate::model::statements::Rules;
+use crate::model::statements::made::MadeItem;
 use crate::model::{expressions, loads_in_forces, uses};
 
 impl Rules for LetStatement {
@@ -31,6 +33,24 @@ impl Rules for LetStatement {
     }
 }
 
+/// A number of a drawing with a name that nobody has written.
+pub(in crate::model) fn made_let(name: Ident, value: Figure, of: Dimension) -> MadeItem {
+    let (makes, numbers) = (vec![(name.clone(), Kind::Let)], vec![value.clone()]);
+    MadeItem::new(makes, Vec::new(), numbers, move |scope, moves| {
+        if let Some(value) = value.turn(scope) {
+            new_let(scope, &name, value, LetFacts::of_a_pose(of, moves));
+        }
+    })
+}
+
+/// Gives the name to the number.
+pub(super) fn new_let(scope: &mut Scope<'_>, name: &Ident, value: AngleSum, facts: LetFacts) {
+    scope.facts.lets.push(facts);
+    scope.mechanism.lets.push(value);
+    let id = LetId(scope.mechanism.lets.len() as u32 - 1);
+    scope.names.bind(name, Entity::Let(id));
+}
+
 fn named_expression(scope: &mut Scope<'_>, name: &Ident, value: &Expr, moves: bool) {
     let is_new = uses::name_is_new(scope, name).is_some();
     // It is refused where it is used, if it does not stand there.
@@ -40,18 +60,12 @@ fn named_expression(scope: &mut Scope<'_>, name: &Ident, value: &Expr, moves: bo
     let (measure, reads) = (quantity.measure, quantity.reads.clone());
     let is_law = reads.is_of_forces();
     let facts = LetFacts { measure, moves, reads, pull };
-    let entity = match is_law {
-        true => {
-            scope.facts.laws.push(facts);
-            let laws = &mut scope.mechanism.dynamics.laws;
-            laws.push(quantity.turn());
-            Entity::Law(LawId(laws.len() as u32 - 1))
-        }
-        false => {
-            scope.facts.lets.push(facts);
-            scope.mechanism.lets.push(quantity.turn());
-            Entity::Let(LetId(scope.mechanism.lets.len() as u32 - 1))
-        }
-    };
-    scope.names.bind(name, entity);
+    if !is_law {
+        return new_let(scope, name, quantity.turn(), facts);
+    }
+    scope.facts.laws.push(facts);
+    let laws = &mut scope.mechanism.dynamics.laws;
+    laws.push(quantity.turn());
+    let id = LawId(laws.len() as u32 - 1);
+    scope.names.bind(name, Entity::Law(id));
 }

@@ -35,10 +35,6 @@ impl Rules for LinkStatement {
         self.links.iter().map(|link| (&link.name, Kind::Link)).collect()
     }
 
-    fn title(&self, name: &str) -> String {
-        format!("link {name}")
-    }
-
     fn builds_on(&self) -> Vec<&Ident> {
         self.links.iter().flat_map(|link| link.pins.iter().chain(&link.on)).collect()
     }

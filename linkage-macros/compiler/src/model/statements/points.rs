@@ -9,23 +9,21 @@ use crate::reach::{absolute, apex};
 use crate::syntax::tree::{self, Expr, Expr as Written, PointStatement};
 
 use crate::model::assembly::{constants, polar};
+use crate::model::figures::Figure;
 use crate::model::folding::shown;
 use crate::model::mechanism::{
-    Carrier, GroupName, Length, LinkId, Operator, PartOf, Placement, Scalar, Sign, Step,
+    Carrier, GroupName, Length, LinkId, Operator, PartOf, Placement, PointId, Scalar, Sign, Step,
 };
 use crate::model::names::{Entity, Kind};
 use crate::model::resolved_expr::bare_name;
 use crate::model::scope::Scope;
+use crate::model::statements::made::MadeItem;
 use crate::model::statements::{Rules, guides};
-use crate::model::{declared, fits, modes, numbers, uses};
+use crate::model::{declared, fits, modes, numbers, told_numbers, uses};
 
 impl Rules for PointStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
         vec![(&self.name, Kind::Point)]
-    }
-
-    fn title(&self, name: &str) -> String {
-        format!("point {name}")
     }
 
     fn builds_on(&self) -> Vec<&Ident> {
@@ -42,7 +40,17 @@ impl Rules for PointStatement {
     }
 
     fn resolve(&self, scope: &mut Scope<'_>, docs: &[Attribute]) {
-        placed_point(scope, docs, &self.name, self.on.as_ref(), &self.place, self.moves(scope));
+        let (name, carrier) = (&self.name, guides::carrier(scope, self.on.as_ref()));
+        let is_known = !matches!(self.place, tree::PointPlace::Mistake);
+        let place = place(scope, name, carrier, &self.place)
+            .map(|place| in_the_frame_of_its_group(scope, carrier, place));
+        let carrier = carrier.filter(|_| is_known);
+        let is_by_itself = self.on.is_none() && matches!(place, Some(Placement::Cartesian(_)));
+        let moves = self.moves(scope);
+        let point = placed_point(scope, docs, name, (carrier, place), moves);
+        if point.is_some() && is_by_itself && !moves {
+            fixed_point_is_ground(scope, name);
+        }
     }
 
     fn stand_in(&self, scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> Option<Entity> {
@@ -51,22 +59,27 @@ impl Rules for PointStatement {
     }
 }
 
+/// A point that a drawing became: one of a link, at a place in the frame that its group gave that.
+pub(in crate::model) fn made_point(name: Ident, on: Ident, at: [Figure; 2]) -> MadeItem {
+    let (makes, builds_on) = (vec![(name.clone(), Kind::Point)], vec![on.clone()]);
+    MadeItem::new(makes, builds_on, at.to_vec(), move |scope, moves| {
+        let carrier = uses::link(scope, &on).map(Carrier::Link);
+        let place = told_numbers::lengths(scope, &at, name.span()).map(Placement::Cartesian);
+        placed_point(scope, &[], &name, (carrier, place), moves);
+    })
+}
+
 fn placed_point(
     scope: &mut Scope<'_>,
     docs: &[Attribute],
     name: &Ident,
-    on: Option<&Ident>,
-    place: &tree::PointPlace,
+    (carrier, place): (Option<Carrier>, Option<Placement>),
     moves: bool,
-) {
-    let carrier = guides::carrier(scope, on);
-    let damaged = matches!(place, tree::PointPlace::Mistake);
-    let place = self::place(scope, name, carrier, place)
-        .map(|place| in_the_frame_of_its_group(scope, name, carrier, place));
+) -> Option<PointId> {
     // Where its link is not known, neither is the point.
-    let Some(carrier) = carrier.filter(|_| !damaged) else {
+    let Some(carrier) = carrier else {
         uses::name_is_new(scope, name);
-        return;
+        return None;
     };
     let (part_of, group) = match carrier {
         Carrier::Ground => {
@@ -74,9 +87,7 @@ fn placed_point(
         }
         Carrier::Link(link) => (PartOf::Link(link), scope.mechanism.links[link.index()].made_by),
     };
-    let Some(point) = declared::add_point(scope, docs, name, part_of) else {
-        return;
-    };
+    let point = declared::add_point(scope, docs, name, part_of)?;
     if carrier == Carrier::Ground {
         scope
             .mechanism
@@ -84,9 +95,6 @@ fn placed_point(
             .push(GroupName { keyword: Ident::new("point", name.span()), title: name.to_string() });
     }
     scope.facts.points[point.index()] = moves;
-    if on.is_none() && !moves && matches!(place, Some(Placement::Cartesian(_))) {
-        fixed_point_is_ground(scope, name);
-    }
     if carrier != Carrier::Ground || !moves {
         let at = place.as_ref().and_then(constant_place);
         scope.facts.fix(point, carrier, at);
@@ -94,6 +102,7 @@ fn placed_point(
     if let Some(place) = place {
         scope.mechanism.steps.push(Step::Point { point, carrier, place, group });
     }
+    Some(point)
 }
 
 fn place(
@@ -118,7 +127,7 @@ fn place(
             let values = [0, 1].map(|i| {
                 let value = numbers::length(scope, &distances[i])?;
                 let what = format!("the {} distance of `{name}`", which[i]);
-                fits::length_is_positive(scope, &distances[i], &value, &what)?;
+                fits::length_is_positive(scope, distances[i].span, &value, &what)?;
                 let name = match bare_name(&distances[i]) {
                     Some(name) => name.to_string(),
                     None => format!("{} distance of {name}", which[i]),
@@ -144,13 +153,11 @@ fn place(
 /// The place that is written in the frame of a drawn link, in that of the link's group.
 fn in_the_frame_of_its_group(
     scope: &Scope<'_>,
-    name: &Ident,
     carrier: Option<Carrier>,
     place: Placement,
 ) -> Placement {
-    let is_told_there = scope.drawn.is_some_and(|drawn| drawn.placed.contains(name));
     let shift = carrier.and_then(|carrier| scope.mechanism.frame_shift(carrier));
-    let Some(shift) = shift.filter(|_| !is_told_there) else { return place };
+    let Some(shift) = shift else { return place };
     match place {
         Placement::Cartesian(at) => Placement::Cartesian(shift.place(at)),
         Placement::Polar(radius, angle) => {
@@ -174,7 +181,7 @@ fn length_as_drawn(scope: &mut Scope<'_>, carrier: Carrier) -> Option<Scalar> {
     let (Some(drawn), Carrier::Link(link)) = (scope.drawn, carrier) else { return None };
     let name = &scope.mechanism.links[link.index()].name;
     let bar = drawn.bars.iter().find(|bar| bar.link == *name)?;
-    numbers::length(scope, &bar.length)
+    bar.length.length(scope, name.span())
 }
 
 /// Distances from both ends of a bar as coordinates from its first. With a, b from both and l between them,

@@ -1,20 +1,22 @@
 //! `solve theta { ram.slide = x, mode: falling, near: seed }`: the equation that fixes an unknown.
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 use syn::Attribute;
 
-use crate::diagnostics::nearest;
+use crate::diagnostics::{Extent, nearest};
 use crate::syntax::anatomy::Modes;
 use crate::syntax::tree::{Expr, Solve};
 
+use crate::model::figures::Figure;
 use crate::model::mechanism::{
-    Dimension, Equation, Length, Mode, Operator, ParamKind, Scalar, UnknownId,
+    Dimension, Equation, Length, Mode, Operator, ParamKind, Scalar, Sign, UnknownId,
 };
 use crate::model::modes::{trend_word, words_of};
 use crate::model::names::{Entity, Kind};
 use crate::model::resolved_expr::{ResolvedExpr, bare_name};
 use crate::model::scope::Scope;
 use crate::model::searched::Searched;
+use crate::model::statements::made::MadeItem;
 use crate::model::statements::{Rules, unknowns};
 use crate::model::{expressions, fits, numbers, uses};
 
@@ -50,17 +52,31 @@ fn solve(scope: &mut Scope<'_>, solve: &Solve) {
         (Some(near), None) => expressions::quantity(scope, near).map(|_| None),
         (None, _) => Some(None),
     };
-    // Also where it is in error it ends the search.
-    if let Some(searched) = scope.facts.searches.last_mut()
-        && (unknown.is_some() || searched.name == solve.unknown)
-    {
+    let Some(id) = unknown else {
+        // Also where it is in error it ends the search.
+        let searched = scope.facts.searches.last_mut();
+        if let Some(searched) = searched.filter(|searched| searched.name == solve.unknown) {
+            searched.ended = true;
+        }
+        return;
+    };
+    let solved = equation.zip(mode).zip(near);
+    is_solved(scope, id, solved.map(|((equation, mode), near)| (equation, mode, near)));
+}
+
+/// Ends the search of an unknown, with what fixes it where that is known.
+fn is_solved(
+    scope: &mut Scope<'_>,
+    id: UnknownId,
+    solved: Option<((Equation, Dimension), Mode, Option<Scalar>)>,
+) {
+    if let Some(searched) = scope.facts.searches.last_mut() {
         searched.ended = true;
     }
-    let Some(id) = unknown else { return };
     let steps = scope.mechanism.steps.len();
     let unknown = &mut scope.mechanism.unknowns[id.index()];
     unknown.steps[1] = steps;
-    if let (Some((equation, measure)), Some(mode), Some(near)) = (equation, mode, near) {
+    if let Some(((equation, measure), mode, near)) = solved {
         (unknown.equation, unknown.measure) = (equation, measure);
         (unknown.mode, unknown.near) = (mode, near);
     }
@@ -121,22 +137,59 @@ fn between_sides(
         let difference = expressions::sum(scope, Operator::Sub, (left.span, a), (right, b))?;
         return Some(Equation::Turn(difference.turn()));
     }
-    let is_distance = |side: &ResolvedExpr| match side.rest {
-        Scalar::Distance(points) => Some(points),
+    let [first, second] =
+        [(left.span, a.rest, bare_name(left)), (right.span, b.rest, bare_name(right))];
+    of_numbers(scope, [first, second])
+}
+
+/// A side of an equation: where it is written, its value, and its name where it is one.
+type EquationSide<'n> = (Extent, Scalar, Option<&'n Ident>);
+
+/// The equation of two numbers: one side may be a distance of points, which the other is then to be.
+fn of_numbers(scope: &mut Scope<'_>, [left, right]: [EquationSide<'_>; 2]) -> Option<Equation> {
+    let points = |(_, value, _): &EquationSide<'_>| match value {
+        Scalar::Distance(points) => Some(*points),
         _ => None,
     };
-    let (points, written, length, is_left) = match (is_distance(&a), is_distance(&b)) {
-        (Some(points), None) => (points, right, b.rest, true),
-        (None, Some(points)) => (points, left, a.rest, false),
-        _ => return Some(Equation::Difference([a.rest, b.rest])),
+    let (points, (at, value, name), is_left) = match (points(&left), points(&right)) {
+        (Some(points), None) => (points, right, true),
+        (None, Some(points)) => (points, left, false),
+        _ => return Some(Equation::Difference([left.1, right.1])),
     };
-    fits::length_is_positive(scope, written, &length, "the distance")?;
-    let name = match bare_name(written) {
-        Some(name) => name.to_string(),
-        None => "distance in `solve`".to_string(),
+    fits::length_is_positive(scope, at, &value, "the distance")?;
+    let name = name.map_or("distance in `solve`".to_string(), Ident::to_string);
+    Some(Equation::Distance { points, length: Length { value, name }, is_left })
+}
+
+/// The equation of a search that a group of a drawing became: a point has this distance from another or from a guide.
+pub(in crate::model) fn made_equation(
+    unknown: Ident,
+    between: [Ident; 2],
+    wanted: Figure,
+    mode: Sign,
+) -> MadeItem {
+    let builds_on = [&unknown].into_iter().chain(&between).cloned().collect();
+    MadeItem::new(Vec::new(), builds_on, vec![wanted.clone()], move |scope, _| {
+        let Some(id) = unknown_to_solve(scope, &unknown) else { return };
+        let sides = sides(scope, &between, (&wanted, unknown.span()));
+        let equation = sides.and_then(|sides| of_numbers(scope, sides));
+        let solved = equation.map(|equation| (equation, Dimension::LENGTH));
+        is_solved(scope, id, solved.map(|solved| (solved, Mode::Fixed(mode), None)));
+    })
+}
+
+fn sides<'f>(
+    scope: &mut Scope<'_>,
+    [point, other]: &[Ident; 2],
+    (wanted, at): (&'f Figure, Span),
+) -> Option<[EquationSide<'f>; 2]> {
+    let (value, point) = (wanted.length(scope, at)?, uses::point(scope, point)?);
+    let distance = match uses::usable(scope, other, &[Kind::Point, Kind::Guide])? {
+        Entity::Point(other) => Scalar::Distance([point, other]),
+        Entity::Guide(guide) => Scalar::Offset(point, guide),
+        _ => return None,
     };
-    let length = Length { value: length, name };
-    Some(Equation::Distance { points, length, is_left })
+    Some([(at.into(), distance, None), (wanted.at(at), value, wanted.name())])
 }
 
 /// The equation changes with the unknown.

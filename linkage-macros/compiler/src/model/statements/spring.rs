@@ -45,10 +45,6 @@ impl Rules for SpringStatement {
         self.name.iter().map(|name| (name, Kind::Spring)).collect()
     }
 
-    fn title(&self, name: &str) -> String {
-        format!("spring {name}")
-    }
-
     fn builds_on(&self) -> Vec<&Ident> {
         self.ends.iter().collect()
     }

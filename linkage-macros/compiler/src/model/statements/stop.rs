@@ -32,10 +32,6 @@ impl Rules for StopStatement {
         self.name.iter().map(|name| (name, Kind::Stop)).collect()
     }
 
-    fn title(&self, name: &str) -> String {
-        format!("stop {name}")
-    }
-
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
         f(&self.of);
         self.ends.iter().chain(self.fields.values()).for_each(f);

@@ -5,11 +5,13 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 use syn::Attribute;
 
+use crate::diagnostics::Extent;
 use crate::exact::Exact;
 use crate::reach::turn::Range;
 use crate::syntax::tree::{Declaration, Expr, UnknownStatement};
 
 use crate::model::as_written::text;
+use crate::model::figures::Figure;
 use crate::model::folding::shown_in_degrees;
 use crate::model::kinds::{KINDS, quantity_kind};
 use crate::model::mechanism::{
@@ -20,15 +22,12 @@ use crate::model::names::{Entity, Kind};
 use crate::model::scope::Scope;
 use crate::model::searched::Searched;
 use crate::model::statements::Rules;
+use crate::model::statements::made::MadeItem;
 use crate::model::{declared, drawn_sliding, fits, numbers, uses};
 
 impl Rules for UnknownStatement {
     fn declares(&self) -> Vec<(&Ident, Kind)> {
         vec![(&self.name, Kind::Unknown)]
-    }
-
-    fn title(&self, name: &str) -> String {
-        format!("unknown {name}")
     }
 
     fn each_expression(&self, f: &mut dyn FnMut(&Expr)) {
@@ -54,6 +53,29 @@ fn unknown(
     else {
         return;
     };
+    let ends = written.each_ref().map(|end| end.span);
+    new_unknown(scope, docs, name, (dimension, between), ends);
+}
+
+/// An unknown of a drawing, which nobody has written.
+pub(in crate::model) fn made_unknown(name: Ident, of: Dimension, between: [Figure; 2]) -> MadeItem {
+    MadeItem::new(vec![(name.clone(), Kind::Unknown)], Vec::new(), Vec::new(), move |scope, _| {
+        let [Some(from), Some(to)] = between.each_ref().map(|end| end.number(scope)) else {
+            return;
+        };
+        if one_is_searched_at_a_time(scope, &name) {
+            new_unknown(scope, &[], &name, (of, [from, to]), [name.span().into(); 2]);
+        }
+    })
+}
+
+fn new_unknown(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    name: &Ident,
+    (dimension, between): (Dimension, [Scalar; 2]),
+    ends: [Extent; 2],
+) {
     let id = UnknownId(scope.mechanism.unknowns.len() as u32);
     let group = declared::next_group(scope);
     scope.mechanism.groups.push(GroupName {
@@ -77,7 +99,6 @@ fn unknown(
     });
     declared::note(scope, name, Entity::Unknown(id));
     scope.names.bind(name, Entity::Unknown(id));
-    let ends = written.each_ref().map(|end| end.span);
     let follows = HashSet::from([Entity::Unknown(id)]);
     scope.facts.ends_of_unknowns.push(ends);
     scope.facts.searches.push(Searched { id, name: name.clone(), follows, ended: false });
@@ -151,17 +172,8 @@ fn end_depends_on_no_input(scope: &mut Scope<'_>, end: &Expr, name: &Ident) -> O
 
 /// True if the value changes with the unknown that is searched.
 pub(in crate::model) fn changes_with(searched: &Searched, expr: &Scalar) -> bool {
-    let changes = |expr: &Scalar| changes_with(searched, expr);
     let reaches = |entity| searched.reaches(entity);
-    match expr {
-        Scalar::Constant(_)
-        | Scalar::Input(_)
-        | Scalar::Param(_)
-        | Scalar::Load(_)
-        | Scalar::Tracked(..)
-        | Scalar::Pull => false,
-        // Only forces read these.
-        Scalar::Twist(_) | Scalar::Rate(_) | Scalar::Law(_) | Scalar::Effort(..) => false,
+    expr.any_leaf(&|leaf| match leaf {
         Scalar::Unknown(id) => *id == searched.id,
         Scalar::Let(id) => reaches(Entity::Let(*id)),
         Scalar::Slide(link) => reaches(Entity::Link(*link)),
@@ -170,13 +182,9 @@ pub(in crate::model) fn changes_with(searched: &Searched, expr: &Scalar) -> bool
         Scalar::Offset(point, guide) => {
             reaches(Entity::Point(*point)) || reaches(Entity::Guide(*guide))
         }
-        Scalar::Negate(value) => changes(value),
-        Scalar::AboveZero(inner) => changes(&inner.value),
-        Scalar::Chain(first, rest) => {
-            changes(first) || rest.iter().any(|(_, operand)| changes(operand))
-        }
-        Scalar::Call(_, arguments) => arguments.iter().any(changes),
-    }
+        // Only forces read others that a motion changes.
+        _ => false,
+    })
 }
 
 /// Every unknown is solved.

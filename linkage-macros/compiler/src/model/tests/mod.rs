@@ -11,6 +11,7 @@ mod formulas;
 mod friction;
 mod geared;
 mod groups;
+mod half_turns;
 mod held_equations;
 mod incidence;
 mod kinds;

@@ -180,6 +180,14 @@ fn lengths_without_any_unit_are_of_a_machine() {
             "E#1: a length of 81.3173 m in the drawing; write its numbers with a unit, `mm`, or `m` if it is meant / no \
              length of this declaration has a unit, and a bare number is in metres",
         ),
+        // The pins alone have units.
+        (
+            NOTHING,
+            "input theta: angle; ground A(0, 0), D(6, 1); pin B(1.5m, 0), C(5.5m, 4m);
+             link crank(A, B), coupler(B, C), rocker(C, D); drive crank.angle = theta;
+             point E on coupler at (12, 0);",
+            "",
+        ),
         (
             NOTHING,
             "input theta: angle; ground A(0, 0), D(0.6m, 0), P(240, 0); pin B(0.15m, 0), C(0.5m, 0.4m);

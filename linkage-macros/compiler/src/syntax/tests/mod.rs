@@ -167,9 +167,6 @@ fn kind(kind: &StatementKind) -> String {
             let near = near.as_ref().map(|near| format!(", near: {}", expr(near)));
             format!("solve {unknown} {{ {equation}, mode: {mode}{} }}", near.unwrap_or_default())
         }
-        StatementKind::Track(_) | StatementKind::Close(_) => {
-            unreachable!("these are made of drawings")
-        }
     }
 }
 

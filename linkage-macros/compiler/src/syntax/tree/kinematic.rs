@@ -160,25 +160,6 @@ pub(crate) struct DriveStatement {
     pub written: Option<(Ident, Ident)>,
 }
 
-/// The unknowns of a group of a drawing that is solved by all of them at once. Nobody writes it.
-#[derive(Clone)]
-pub(crate) struct TrackStatement {
-    pub unknowns: Vec<Ident>,
-    /// The value of the drive over which they are known.
-    pub drive: Expr,
-    /// The index of the group among those of the drawing.
-    pub group: usize,
-}
-
-/// The points that close the loops of such a group.
-#[derive(Clone)]
-pub(crate) struct CloseStatement {
-    pub unknowns: Vec<Ident>,
-    pub points: Vec<[Ident; 2]>,
-    /// By pair, a bound on the second derivatives of the vector between both.
-    pub bends: Vec<f64>,
-}
-
 /// `solve theta { ram.slide = x, mode: falling, near: seed }`.
 #[derive(Clone)]
 pub(crate) struct Solve {
@@ -245,8 +226,8 @@ pub(crate) enum GroupFieldValue {
 
 /// The place a guide goes through.
 #[derive(Clone)]
-pub(crate) enum GuideAnchor {
-    At([Expr; 2]),
+pub(crate) enum GuideAnchor<N = Expr> {
+    At([N; 2]),
     Point(Ident),
     /// Could not be read, and was reported.
     Mistake,
@@ -254,8 +235,8 @@ pub(crate) enum GuideAnchor {
 
 /// Where a guide goes.
 #[derive(Clone)]
-pub(crate) enum Course {
-    Along(Expr),
+pub(crate) enum Course<N = Expr> {
+    Along(N),
     Towards(Ident),
     /// Could not be read, and was reported.
     Mistake,

@@ -155,7 +155,7 @@ impl Measured<'_> {
     fn equations<'b, 't>(&'b mut self, bodies: &'b Bodies<'t>) -> DriveEquations<'b, 't> {
         let mut all = equations(bodies);
         for equation in &mut all {
-            let value = bodies.as_drawn(equation.value, &self.pen, &[]);
+            let value = bodies.as_drawn(equation.value, &[]);
             equation.number = self.by_inputs(&value);
         }
         DriveEquations { bodies, mechanism: self.mechanism(), all }
@@ -183,7 +183,7 @@ impl Measured<'_> {
         // A drive may read what another one turns.
         for _ in 0..count {
             for (index, (_, drive)) in bodies.drives.iter().enumerate() {
-                let value = bodies.as_drawn(&drive.value, &self.pen, &turns);
+                let value = bodies.as_drawn(&drive.value, &turns);
                 values[index] = self.at_inputs(&value, inputs).unwrap_or(values[index]);
                 let Driving { kind: Driven::Angle, bodies: [body, to], .. } =
                     bodies.machine.drives[index]

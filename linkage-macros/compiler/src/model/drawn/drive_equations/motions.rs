@@ -113,7 +113,7 @@ impl Measured<'_> {
             let turned: Vec<_> = turns.iter().map(|turn| step * turn).collect();
             let mut inputs = drawn.to_vec();
             inputs[input] += step;
-            self.at_inputs(&bodies.as_drawn(expr, &self.pen, &turned), &inputs)
+            self.at_inputs(&bodies.as_drawn(expr, &turned), &inputs)
         };
         let rate = at(STEP).zip(at(-STEP)).map(|(ahead, behind)| (ahead - behind) / (2.0 * STEP));
         // Differences of numbers of order one, over the step.

@@ -9,7 +9,7 @@ use crate::chain::machine::GROUND;
 use crate::chain::plane::Complex;
 
 use crate::model::drawn::group_frames::GroupFrames;
-use crate::model::drawn::outline::figures::{Figure, Pen};
+use crate::model::figures::Figure;
 
 impl GroupFrames<'_, '_> {
     /// The direction of an axis on a body, which nothing counts.
@@ -21,7 +21,7 @@ impl GroupFrames<'_, '_> {
     /// The angle of a link's frame as it is written.
     pub(in crate::model::drawn) fn counted_as_written(&self, body: usize) -> f64 {
         match self.counted[body] {
-            Some(counted) => counted + self.turns.turn_of(self.name(body)),
+            Some(counted) => counted + self.turn_of(self.name(body)),
             None => self.bodies.drawn_angle(body),
         }
     }
@@ -52,11 +52,11 @@ impl GroupFrames<'_, '_> {
     }
 
     /// The direction of a guide in the frame that the body on it has by now.
-    pub(in crate::model::drawn) fn along_rail(&self, pen: &Pen, slide: usize) -> Figure {
+    pub(in crate::model::drawn) fn along_rail(&self, slide: usize) -> Figure {
         let joint = self.bodies.machine.slides[slide];
         let along = &self.bodies.guides[self.guide_of(slide)].line.along;
         let frame = self.own_frame(joint.body);
-        pen.turn(&frame.local_direction(pen, along), self.counted_of_group(joint.body))
+        Figure::turn_of(&frame.local_direction(along), self.counted_of_group(joint.body))
     }
 
     /// The angle of a body that a group lets slide.
@@ -65,7 +65,7 @@ impl GroupFrames<'_, '_> {
         let line = &self.bodies.guides[self.guide_of(slide)].line;
         match line.angle {
             _ if joint.carrier == body => {
-                self.counted_of_group(joint.body) + self.along_rail(&self.pen, slide).value
+                self.counted_of_group(joint.body) + self.along_rail(slide).value
             }
             Some(angle) if joint.carrier == GROUND => angle,
             Some(angle) => self.counted_as_written(joint.carrier) + angle,

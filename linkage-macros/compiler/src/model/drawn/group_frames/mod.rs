@@ -5,30 +5,32 @@ mod frame_shifts;
 mod on_links;
 mod slides;
 
+use std::collections::HashSet;
+
 use proc_macro2::Ident;
 
-use crate::syntax::tree::Expr;
-
-use crate::model::drawn::group_frames::frame_shifts::FrameShifts;
 use crate::model::drawn::outline::bodies::Bodies;
-use crate::model::drawn::outline::figures::{Figure, Pen};
 use crate::model::drawn::outline::frames::{DrawnFrame, Origin};
+use crate::model::drawn_links::FrameFound;
+use crate::model::figures::{self, Figure};
 
 /// The frames that groups have given links so far.
 pub(in crate::model::drawn) struct GroupFrames<'b, 't> {
     pub(in crate::model::drawn) bodies: &'b Bodies<'t>,
-    pub(in crate::model::drawn) pen: Pen,
-    /// Those that are other ones than the links are written in.
-    pub(in crate::model::drawn) turns: FrameShifts<'b, 't>,
+    /// Those that are other ones than the links are written in, each with its angle against the written one.
+    turned: Vec<(FrameFound, f64)>,
+    /// Links, each with a pin that their group gives them.
+    joined: HashSet<[String; 2]>,
     pub(in crate::model::drawn) own: Vec<Option<DrawnFrame>>,
     /// The angles of these frames in the drawing, as drivers and guides count them.
     pub(in crate::model::drawn) counted: Vec<Option<f64>>,
 }
 
 impl<'b, 't> GroupFrames<'b, 't> {
-    pub(in crate::model::drawn) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
-        let (turns, count) = (FrameShifts::new(bodies, pen), bodies.machine.bodies.len());
-        Self { bodies, pen: pen.clone(), turns, own: vec![None; count], counted: vec![None; count] }
+    pub(in crate::model::drawn) fn new(bodies: &'b Bodies<'t>) -> Self {
+        let (turned, joined) = (Vec::new(), HashSet::new());
+        let count = bodies.machine.bodies.len();
+        Self { bodies, turned, joined, own: vec![None; count], counted: vec![None; count] }
     }
 
     pub(in crate::model::drawn) fn name(&self, body: usize) -> &'t Ident {
@@ -40,15 +42,14 @@ impl<'b, 't> GroupFrames<'b, 't> {
     }
 
     /// The length of a bar between two pins: as declared, or as drawn.
-    pub(in crate::model::drawn) fn length(&self, body: usize, from: usize, to: usize) -> Expr {
+    pub(in crate::model::drawn) fn length(&self, body: usize, from: usize, to: usize) -> Figure {
         let link = self.bodies.link(body);
-        if let Some((length, _)) = &link.length
+        if let Some(length) = link.declared_length()
             && [from, to].iter().all(|pin| link.pins.contains(pin))
         {
-            return (*length).clone();
+            return length;
         }
-        let pen = self.pen.at(self.name(body).span());
-        pen.size(&pen.minus(self.place(to), self.place(from))).text
+        figures::size(&figures::minus(self.place(to), self.place(from)))
     }
 
     /// The guide of a slide.
@@ -62,9 +63,8 @@ impl<'b, 't> GroupFrames<'b, 't> {
     /// The distance of a pin from the line of a guide.
     pub(in crate::model::drawn) fn offset(&self, guide: usize, pin: usize) -> Figure {
         let guide = &self.bodies.guides[guide];
-        let pen = self.pen.at(self.bodies.pins[pin].name.span());
-        let from = pen.minus(self.place(pin), &guide.line.through);
-        let [_, offset] = pen.seen_from(&guide.line.along, &from);
+        let from = figures::minus(self.place(pin), &guide.line.through);
+        let [_, offset] = figures::seen_from(&guide.line.along, &from);
         offset
     }
 
@@ -75,12 +75,12 @@ impl<'b, 't> GroupFrames<'b, 't> {
         written: &DrawnFrame,
     ) -> (Origin, [Figure; 2]) {
         let line = &self.bodies.guides[guide].line;
-        let from = self.pen.minus(&written.origin, &line.through);
-        let [along, across] = self.pen.seen_from(&line.along, &from);
+        let from = figures::minus(&written.origin, &line.through);
+        let [along, across] = figures::seen_from(&line.along, &from);
         if across.is_zero() || written.begins == Origin::Guide(guide) {
             return (written.begins, written.origin.clone());
         }
-        let way = self.pen.seen_in_ground(&line.along, &[along, self.pen.zero()]);
-        (Origin::Guide(guide), self.pen.plus(&line.through, &way))
+        let way = figures::seen_in_ground(&line.along, &[along, Figure::zero()]);
+        (Origin::Guide(guide), figures::plus(&line.through, &way))
     }
 }

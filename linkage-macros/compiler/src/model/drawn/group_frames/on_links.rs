@@ -2,12 +2,10 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::Expr;
-
 use crate::model::drawn::group_frames::GroupFrames;
-use crate::model::drawn::outline::figures::Figure;
 use crate::model::drawn::outline::frames::{Heading, Origin};
 use crate::model::drawn_links::{BarFound, PinFound};
+use crate::model::figures::{self, Figure};
 
 impl GroupFrames<'_, '_> {
     /// The bars between the first two pins of links that no group has as such bars.
@@ -41,25 +39,20 @@ impl GroupFrames<'_, '_> {
         &self,
         body: usize,
         [first, second]: [usize; 2],
-        length: &Expr,
-    ) -> Option<[Expr; 2]> {
+        length: &Figure,
+    ) -> Option<[Figure; 2]> {
         let (link, own) = (self.bodies.link(body), self.own[body].as_ref()?);
         if matches!(link.length, Some((_, None))) {
             return None;
         }
-        let pen = self.pen.at(link.name.span());
-        let axis = pen.minus(self.place(second), self.place(first));
-        let size = pen.size(&axis);
-        let length = Figure::length(length.clone(), f64::NAN, None);
-        let half = pen.div(&length, &pen.whole(2));
-        let way = axis.map(|part| pen.mul(&half, &pen.div(&part, &size)));
-        let begin = pen.minus(self.place(first), &self.beginning(&pen, body, own));
-        let middle = pen.plus(&begin, &way);
-        let middle = match own.points {
+        let axis = figures::minus(self.place(second), self.place(first));
+        let way = figures::along(&length.over(&Figure::whole(2)), &axis);
+        let begin = figures::minus(self.place(first), &self.beginning(body, own));
+        let middle = figures::plus(&begin, &way);
+        Some(match own.points {
             Heading::X => middle,
-            _ => pen.seen_from(&own.axis, &middle),
-        };
-        Some(middle.map(|number| number.text))
+            _ => figures::seen_from(&own.axis, &middle),
+        })
     }
 
     /// Where a pin of a link is that its group makes elsewhere.
@@ -69,16 +62,15 @@ impl GroupFrames<'_, '_> {
         pin: usize,
     ) -> Option<PinFound> {
         let (link, own) = (self.bodies.link(body), self.own[body].as_ref()?);
-        let pen = self.pen.at(link.name.span());
-        let at = match (&link.length, &link.pins[..], own.points) {
-            (Some((length, _)), &[near, far], Heading::Pins(from, to))
+        let at = match (link.declared_length(), &link.pins[..], own.points) {
+            (Some(length), &[near, far], Heading::Pins(from, to))
                 if own.begins == Origin::Pin(from)
                     && to == pin
                     && [[near, far], [far, near]].contains(&[from, to]) =>
             {
-                [(*length).clone(), pen.zero().text]
+                [length, Figure::zero()]
             }
-            _ => own.local(&pen, self.place(pin)).map(|number| number.text),
+            _ => own.local(self.place(pin)),
         };
         let (link, pin) = (link.name.clone(), self.bodies.pins[pin].name.clone());
         Some(PinFound { link, pin, at })

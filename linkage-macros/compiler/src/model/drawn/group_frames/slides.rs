@@ -4,30 +4,22 @@
 use crate::chain::machine::GROUND;
 
 use crate::model::drawn::group_frames::GroupFrames;
-use crate::model::drawn::outline::figures::{Figure, Pen};
 use crate::model::drawn::outline::frames::{DrawnFrame, Origin};
 use crate::model::drawn_links::SlideFound;
+use crate::model::figures::{self, Figure};
 
 impl GroupFrames<'_, '_> {
     /// The place in the drawing where the frame begins that a group gave a link. The far end of a declared length is
     /// where that puts it.
-    pub(in crate::model::drawn) fn beginning(
-        &self,
-        pen: &Pen,
-        body: usize,
-        own: &DrawnFrame,
-    ) -> [Figure; 2] {
+    pub(in crate::model::drawn) fn beginning(&self, body: usize, own: &DrawnFrame) -> [Figure; 2] {
         if body == GROUND {
             return own.origin.clone();
         }
         let link = self.bodies.link(body);
-        match (&link.length, &link.pins[..]) {
-            (Some((length, _)), &[near, far]) if own.begins == Origin::Pin(far) => {
+        match (link.declared_length(), &link.pins[..]) {
+            (Some(length), &[near, far]) if own.begins == Origin::Pin(far) => {
                 let (near, far) = (self.place(near), self.place(far));
-                let along = pen.minus(far, near);
-                let size = pen.size(&along);
-                let length = Figure::length((*length).clone(), f64::NAN, None);
-                pen.plus(near, &along.map(|part| pen.mul(&length, &pen.div(&part, &size))))
+                figures::plus(near, &figures::along(&length, &figures::minus(far, near)))
             }
             _ => own.origin.clone(),
         }
@@ -42,14 +34,14 @@ impl GroupFrames<'_, '_> {
     }
 
     /// The point of a guide in the drawing, where its link has its declared length.
-    fn point_of_guide(&self, pen: &Pen, guide: usize) -> [Figure; 2] {
+    fn point_of_guide(&self, guide: usize) -> [Figure; 2] {
         let guide = &self.bodies.guides[guide];
         let origin = guide.line.through.clone();
         match guide.through {
             Some(pin) => {
                 let frame = &self.bodies.frames[guide.on];
                 let at = DrawnFrame { begins: Origin::Pin(pin), origin, ..frame.clone() };
-                self.beginning(pen, guide.on, &at)
+                self.beginning(guide.on, &at)
             }
             None => origin,
         }
@@ -66,23 +58,23 @@ impl GroupFrames<'_, '_> {
         let joint = self.bodies.machine.slides[slide];
         let guide = &self.bodies.guides[self.guide_of(slide)];
         let (body, line) = (joint.body, &guide.line);
-        let pen = self.pen.at(self.name(body).span());
-        let through = self.point_of_guide(&pen, self.guide_of(slide));
-        let seen = |place: &[Figure; 2]| pen.seen_from(&line.along, &pen.minus(place, &through));
+        let through = self.point_of_guide(self.guide_of(slide));
+        let seen =
+            |place: &[Figure; 2]| figures::seen_from(&line.along, &figures::minus(place, &through));
         let (written, own) = (&self.bodies.frames[body], self.own_frame(by));
-        let start = from.map_or(pen.zero(), |from| seen(&from)[0].clone());
+        let start = from.map_or(Figure::zero(), |from| seen(&from)[0].clone());
         let is_reversed = by != body;
         let begins_alike = !is_reversed && written.begins == own.begins;
         let (shift, arm) = if begins_alike {
-            (start, [pen.zero(), pen.zero()])
+            (start, [Figure::zero(), Figure::zero()])
         } else {
             let [along, across] = seen(&written.origin);
-            let [by_along, by_across] = seen(&self.beginning(&pen, by, &own));
-            let by_slide = pen.sub(&by_along, &start);
-            let across = pen.sub(&by_across, &across);
+            let [by_along, by_across] = seen(&self.beginning(by, &own));
+            let by_slide = by_along.minus(&start);
+            let across = by_across.minus(&across);
             match is_reversed {
-                true => (pen.add(&along, &by_slide), [pen.sub(&start, &along), across]),
-                false => (pen.sub(&along, &by_slide), [pen.sub(&by_along, &along), across]),
+                true => (along.plus(&by_slide), [start.minus(&along), across]),
+                false => (along.minus(&by_slide), [by_along.minus(&along), across]),
             }
         };
         SlideFound {
@@ -91,8 +83,8 @@ impl GroupFrames<'_, '_> {
             carrier: (joint.carrier != GROUND).then(|| self.name(joint.carrier).clone()),
             by: self.name(by).clone(),
             is_reversed,
-            shift: shift.text,
-            arm: arm.map(|part| part.text),
+            shift,
+            arm,
             is_first: self.bodies.link(body).on[0] == self.guide_of(slide),
         }
     }
@@ -106,7 +98,6 @@ impl GroupFrames<'_, '_> {
         let guide = &self.bodies.guides[self.guide_of(slide)];
         let own = self.own_frame(bar);
         let is_the_point = guide.through.map(Origin::Pin) == Some(own.begins);
-        let pen = self.pen.at(guide.name.span());
-        (!is_the_point).then(|| self.beginning(&pen, bar, &own))
+        (!is_the_point).then(|| self.beginning(bar, &own))
     }
 }

@@ -1,14 +1,15 @@
 //! The names of a drawing: its pins, links, guides and drives, and the machine that they are.
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 
 use crate::chain::machine::{Driven, Driving, GROUND, Machine, Slide};
 use crate::chain::plane::Complex;
 use crate::chain::redrawn::Displacement;
 use crate::syntax::tree::{Declaration, DriveStatement, Expr, ExprKind, PointPlace, StatementKind};
 
-use crate::model::drawn::outline::figures::{Figure, Pen};
 use crate::model::drawn::outline::frames::{DrawnFrame, DrawnLine};
+use crate::model::figures::Figure;
+use crate::model::mechanism::Dimension;
 use crate::model::names::listed;
 
 /// A point of the ground, a pin, or a point that is declared on a link.
@@ -39,6 +40,12 @@ pub(in crate::model::drawn) struct LinkOutline<'t> {
 }
 
 impl<'t> LinkOutline<'t> {
+    /// The length that is declared, as it is written.
+    pub(in crate::model::drawn) fn declared_length(&self) -> Option<Figure> {
+        let (length, _) = self.length.as_ref()?;
+        Some(Figure::written((*length).clone(), Some(Dimension::LENGTH)))
+    }
+
     /// A link that a statement of a group makes.
     pub(in crate::model::drawn) fn given(
         name: &'t Ident,
@@ -149,18 +156,18 @@ impl<'t> Bodies<'t> {
     }
 
     /// The expression with the angles and slides of links as they are drawn, angles turned on by these angles.
-    pub(in crate::model::drawn) fn as_drawn(&self, expr: &Expr, pen: &Pen, turns: &[f64]) -> Expr {
+    pub(in crate::model::drawn) fn as_drawn(&self, expr: &Expr, turns: &[f64]) -> Expr {
         expr.replaced(&|part| match &part.kind {
             ExprKind::Member(link, member) if member == "angle" => {
                 let body = self.body(link)?;
                 let turn = turns.get(body).copied().unwrap_or(0.0);
-                Some(pen.float(self.drawn_angle(body) + turn, "rad"))
+                Some(float(self.drawn_angle(body) + turn, "rad"))
             }
             ExprKind::Member(link, member) if member == "slide" => {
                 let body = self.body(link)?;
                 let slide = self.machine.slides.iter().find(|slide| slide.body == body)?;
                 let from = self.drawn_origin(body) - slide.through;
-                Some(pen.float(slide.along.dot(from), "m"))
+                Some(float(slide.along.dot(from), "m"))
             }
             _ => None,
         })
@@ -175,4 +182,12 @@ impl<'t> Bodies<'t> {
     pub(in crate::model::drawn) fn body(&self, name: &Ident) -> Option<usize> {
         self.links.iter().position(|link| link.name == name).map(|index| index + 1)
     }
+}
+
+/// A float with its unit.
+fn float(value: f64, unit: &str) -> Expr {
+    let (digits, span) = (format!("{:?}", value.abs()), Span::call_site().into());
+    let kind = ExprKind::Number { digits, units: vec![(unit.to_string(), 1)] };
+    let number = Expr { kind, span };
+    if value < 0.0 { number.negated() } else { number }
 }

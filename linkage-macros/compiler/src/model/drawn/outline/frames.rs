@@ -3,7 +3,7 @@
 //! A link's frame is that of its statement, whatever group it ends in: its origin is its first pin,
 //! and its x points towards its second, or along its guide where it has one pin.
 
-use crate::model::drawn::outline::figures::{Figure, Pen};
+use crate::model::figures::{self, Figure};
 
 /// Where a frame begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,12 +51,12 @@ impl DrawnLine {
 }
 
 impl DrawnFrame {
-    pub(in crate::model::drawn) fn ground(pen: &Pen) -> Self {
+    pub(in crate::model::drawn) fn ground() -> Self {
         Self {
             begins: Origin::Ground,
             points: Heading::X,
-            origin: [pen.zero(), pen.zero()],
-            axis: pen.x_axis(),
+            origin: [Figure::zero(), Figure::zero()],
+            axis: figures::x_axis(),
         }
     }
 
@@ -66,23 +66,19 @@ impl DrawnFrame {
     }
 
     /// The place in this frame.
-    pub(in crate::model::drawn) fn local(&self, pen: &Pen, place: &[Figure; 2]) -> [Figure; 2] {
-        let from_origin = pen.minus(place, &self.origin);
+    pub(in crate::model::drawn) fn local(&self, place: &[Figure; 2]) -> [Figure; 2] {
+        let from_origin = figures::minus(place, &self.origin);
         match self.points {
             Heading::X => from_origin,
-            _ => pen.seen_from(&self.axis, &from_origin),
+            _ => figures::seen_from(&self.axis, &from_origin),
         }
     }
 
     /// The vector in the axes of this frame, not of its own length.
-    pub(in crate::model::drawn) fn local_direction(
-        &self,
-        pen: &Pen,
-        vector: &[Figure; 2],
-    ) -> [Figure; 2] {
+    pub(in crate::model::drawn) fn local_direction(&self, vector: &[Figure; 2]) -> [Figure; 2] {
         match self.points {
             Heading::X => vector.clone(),
-            _ => [pen.dot(&self.axis, vector), pen.cross(&self.axis, vector)],
+            _ => [figures::dot(&self.axis, vector), figures::cross(&self.axis, vector)],
         }
     }
 
@@ -93,15 +89,15 @@ impl DrawnFrame {
     }
 
     /// The place in the drawing of coordinates in this frame.
-    pub(in crate::model::drawn) fn placed(&self, pen: &Pen, local: &[Figure; 2]) -> [Figure; 2] {
-        pen.plus(&self.origin, &self.direction(pen, local))
+    pub(in crate::model::drawn) fn placed(&self, local: &[Figure; 2]) -> [Figure; 2] {
+        figures::plus(&self.origin, &self.direction(local))
     }
 
     /// The vector in the drawing of components in this frame.
-    pub(in crate::model::drawn) fn direction(&self, pen: &Pen, local: &[Figure; 2]) -> [Figure; 2] {
+    pub(in crate::model::drawn) fn direction(&self, local: &[Figure; 2]) -> [Figure; 2] {
         match self.points {
             Heading::X => local.clone(),
-            _ => pen.seen_in_ground(&self.axis, local),
+            _ => figures::seen_in_ground(&self.axis, local),
         }
     }
 }

@@ -8,9 +8,9 @@ use crate::syntax::tree::{
     Course, ExprKind, GuideAnchor, GuideStatement, PointPlace, StatementKind,
 };
 
-use crate::model::drawn::outline::figures::Figure;
 use crate::model::drawn::outline::frames::{DrawnFrame, DrawnLine, Heading, Origin};
 use crate::model::drawn::reading::reader::Reader;
+use crate::model::figures::{self, Figure};
 use crate::model::statements::guides::guide_points;
 
 /// The part of a distance by which rounding may miss another.
@@ -20,7 +20,7 @@ const MISSED: f64 = 1e-12;
 /// stand on each other in a circle, which is reported.
 pub(in crate::model::drawn) fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<DrawnFrame>> {
     let mut frames = vec![None; reader.links.len() + 1];
-    frames[GROUND] = Some(DrawnFrame::ground(&reader.values.pen));
+    frames[GROUND] = Some(DrawnFrame::ground());
     let mut lines = vec![false; reader.guides.len()];
     let mut pins: Vec<_> = reader.pins.iter().map(|pin| pin.on.is_none()).collect();
     loop {
@@ -108,16 +108,15 @@ fn point_of_link(
 ) -> Option<[Figure; 2]> {
     let (body, place) = reader.pins[pin].on?;
     let frame = frames[body].clone()?;
-    let pen = reader.values.pen.at(reader.pins[pin].name.span());
     let local = match place {
         PointPlace::Cartesian([x, y]) => [reader.values.length(x)?, reader.values.length(y)?],
         PointPlace::Polar([radius, angle]) => {
             let (radius, angle) = (reader.values.length(radius)?, reader.values.angle(angle)?);
-            [pen.mul(&radius, &pen.cos(&angle)), pen.mul(&radius, &pen.sin(&angle))]
+            [radius.times(&angle.cos()), radius.times(&angle.sin())]
         }
         PointPlace::Distances([first, second], side) => {
             let distances = [reader.values.length(first)?, reader.values.length(second)?];
-            let is_constant = distances.iter().all(|distance| distance.exact.is_some());
+            let is_constant = distances.iter().all(|distance| distance.exact().is_some());
             let [a, b] = distances.map(|distance| distance.value);
             let long = match &reader.links[body - 1].length {
                 Some((_, Some(length))) => length.value,
@@ -129,11 +128,11 @@ fn point_of_link(
                 (is_constant && square < -MISSED * a * a).then_some([a, b, long]);
             // Where the distances do not meet is said where the link is placed.
             let y = root(square.max(0.0));
-            [x, if side == "left" { y } else { -y }].map(|value| pen.drawn(value))
+            [x, if side == "left" { y } else { -y }].map(Figure::float)
         }
         PointPlace::Mistake => return None,
     };
-    Some(frame.placed(&pen, &local))
+    Some(frame.placed(&local))
 }
 
 fn frame_of(
@@ -142,13 +141,12 @@ fn frame_of(
     frames: &[Option<DrawnFrame>],
     lines: &[bool],
 ) -> Option<DrawnFrame> {
-    let pen = reader.values.pen.at(reader.links[link].name.span());
     let place = |reader: &Reader<'_, '_, '_>, pin: usize| reader.pins[pin].at.clone();
     let own = reader.links[link].on.first().copied();
     match (&reader.links[link].pins[..], own) {
         (&[first, second, ..], _) => {
             let origin = place(reader, first);
-            let axis = pen.minus(&place(reader, second), &origin);
+            let axis = figures::minus(&place(reader, second), &origin);
             let (begins, points) = (Origin::Pin(first), Heading::Pins(first, second));
             Some(DrawnFrame { begins, points, origin, axis })
         }
@@ -174,7 +172,6 @@ fn frame_without_pins(
     link: usize,
     guide: usize,
 ) -> Option<DrawnFrame> {
-    let pen = reader.values.pen.at(reader.links[link].name.span());
     let own = reader.guides[guide].line.clone();
     let frame = DrawnFrame {
         begins: Origin::Guide(guide),
@@ -191,13 +188,13 @@ fn frame_without_pins(
     };
     let at = reader.values.places.get(&pin.to_string()).cloned()?;
     let along = direction(reader, course, &frame, &at)?.0;
-    let across = pen.cross(&frame.axis, &along);
+    let across = figures::cross(&frame.axis, &along);
     if across.is_zero() {
         return Some(frame);
     }
-    let share = pen.div(&pen.cross(&pen.minus(&at, &frame.origin), &along), &across);
-    let way = frame.axis.each_ref().map(|part| pen.mul(part, &share));
-    let origin = pen.plus(&frame.origin, &way);
+    let share = figures::cross(&figures::minus(&at, &frame.origin), &along).over(&across);
+    let way = frame.axis.each_ref().map(|part| part.times(&share));
+    let origin = figures::plus(&frame.origin, &way);
     Some(DrawnFrame { begins: Origin::Guide(carried), origin, ..frame })
 }
 
@@ -218,12 +215,11 @@ fn line_of(
     let statement @ GuideStatement { through: spot, course, .. } = written_line(reader, guide)?;
     let on = reader.guides[guide].on;
     let frame = frames[on].clone();
-    let pen = reader.values.pen.at(reader.guides[guide].name.span());
     let through = match spot {
         GuideAnchor::Point(point) => reader.values.places.get(&point.to_string()).cloned()?,
         GuideAnchor::At([x, y]) => {
             let local = [reader.values.length(x)?, reader.values.length(y)?];
-            frame.clone()?.placed(&pen, &local)
+            frame.clone()?.placed(&local)
         }
         GuideAnchor::Mistake => return None,
     };
@@ -232,7 +228,7 @@ fn line_of(
     let frame = match course {
         Course::Along(_) => frame?,
         // Not needed.
-        _ => DrawnFrame::ground(&pen),
+        _ => DrawnFrame::ground(),
     };
     let (along, is_axis) = direction(reader, course, &frame, &through)?;
     let points = match (from, towards) {
@@ -256,19 +252,18 @@ fn direction(
     frame: &DrawnFrame,
     through: &[Figure; 2],
 ) -> Option<([Figure; 2], bool)> {
-    let pen = reader.values.pen.clone();
     match course {
         Course::Along(angle) => {
             let angle = reader.values.angle(angle)?;
             if angle.is_zero() {
                 return Some((frame.axis.clone(), true));
             }
-            let local = [pen.cos(&angle), pen.sin(&angle)];
-            Some((frame.direction(&pen, &local), false))
+            let local = [angle.cos(), angle.sin()];
+            Some((frame.direction(&local), false))
         }
         Course::Towards(point) => {
             let to = reader.values.places.get(&point.to_string()).cloned()?;
-            Some((pen.minus(&to, through), false))
+            Some((figures::minus(&to, through), false))
         }
         Course::Mistake => None,
     }

@@ -9,9 +9,9 @@ use crate::syntax::tree::{
 };
 
 use crate::model::drawn::outline::bodies::{Bodies, GuideLine};
-use crate::model::drawn::outline::figures::Figure;
 use crate::model::drawn::outline::frames::DrawnFrame;
 use crate::model::drawn::reading::reader::Reader;
+use crate::model::figures::Figure;
 use crate::model::references::names_used;
 
 impl<'t> Reader<'t, '_, '_> {
@@ -132,12 +132,12 @@ impl<'t> Reader<'t, '_, '_> {
 
     /// True if a dimension of the drawing is not a constant.
     fn varies(&self) -> bool {
-        let is_constant = |place: &[Figure; 2]| place.iter().all(|number| number.exact.is_some());
+        let is_constant = |place: &[Figure; 2]| place.iter().all(|number| number.exact().is_some());
         let lengths = self.links.iter().filter_map(|link| link.length.as_ref());
         let mut lengths = lengths.map(|(_, length)| length.as_ref());
         let is_drawn = self.pins.iter().all(|pin| pin.on.is_some() || is_constant(&pin.at))
             && self.guides.iter().all(|guide| is_constant(&guide.line.along));
-        !is_drawn || lengths.any(|length| length.is_none_or(|length| length.exact.is_none()))
+        !is_drawn || lengths.any(|length| length.is_none_or(|length| length.exact().is_none()))
     }
 
     fn driving(&mut self, machine: &Machine, drive: &DriveStatement) -> Option<Driving> {

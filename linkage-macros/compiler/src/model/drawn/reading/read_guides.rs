@@ -8,6 +8,7 @@ use crate::syntax::tree::{Course, GuideAnchor, GuideStatement, StatementKind};
 use crate::model::drawn::outline::bodies::GuideLine;
 use crate::model::drawn::outline::frames::DrawnLine;
 use crate::model::drawn::reading::reader::{Reader, drawn_links};
+use crate::model::figures::Figure;
 
 impl Reader<'_, '_, '_> {
     pub(in crate::model::drawn) fn read_guides(&mut self) {
@@ -36,7 +37,7 @@ impl Reader<'_, '_, '_> {
                 on,
                 along,
                 through,
-                line: DrawnLine::unknown(self.values.pen.zero()),
+                line: DrawnLine::unknown(Figure::zero()),
             });
         }
     }

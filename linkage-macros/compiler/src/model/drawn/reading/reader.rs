@@ -13,9 +13,10 @@ use crate::syntax::tree::{
 
 use crate::model::begun;
 use crate::model::drawn::outline::bodies::{GuideLine, LinkOutline, PinPlace};
-use crate::model::drawn::outline::figures::Figure;
 use crate::model::drawn::outline::loose;
 use crate::model::drawn::reading::values::Measured;
+use crate::model::figures::Figure;
+use crate::model::items::items;
 use crate::model::names::Kind;
 use crate::model::statements::declared_by;
 
@@ -127,7 +128,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             };
             if on.as_ref().is_some_and(is_drawn) && !self.pin_of.contains_key(&name.to_string()) {
                 self.pin_of.insert(name.to_string(), self.pins.len());
-                let zero = self.values.pen.zero();
+                let zero = Figure::zero();
                 self.pins.push(PinPlace {
                     name: name.clone(),
                     at: [zero.clone(), zero],
@@ -325,7 +326,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             self.report(name, message, "name a point: `ground M(…, …);`".to_string());
             return None;
         }
-        let names = begun::names(self.tree);
+        let names = begun::names(&items(self.tree));
         if names.kind(name) == Some(Kind::Point) {
             let message = format!("`{name}` has no place in the drawing");
             let reason = format!("say where it is drawn: `pin {name}(…, …);`");

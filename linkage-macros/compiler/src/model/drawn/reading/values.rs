@@ -3,27 +3,27 @@
 
 use std::collections::{HashMap, HashSet};
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
 use crate::exact::Exact;
 use crate::syntax::tree::{
-    Declaration, Expr, ExprKind, GroundStatement, LetStatement, PinStatement, Statement,
-    StatementKind, Unwritten,
+    Declaration, Expr, GroundStatement, LetStatement, PinStatement, Statement, StatementKind,
+    Unwritten,
 };
 
-use crate::model::drawn::outline::figures::{Figure, Pen};
 use crate::model::expr::{Axis, Scalar as Resolved};
+use crate::model::figures::Figure;
+use crate::model::items::{Item, items};
 use crate::model::mechanism::{InputId, Mechanism, ParamKind};
 use crate::model::names::{Entity, Names};
-use crate::model::references::{expressions, names_used};
+use crate::model::references::names_used;
 use crate::model::statements::declared_by;
-use crate::model::{Scope, begun, expressions, numbers, order, statement_walk, units};
+use crate::model::{Scope, begun, expressions, numbers, order};
 
 /// The values of the numbers of a drawing.
 pub(in crate::model::drawn) struct Measured<'d> {
     pub scope: Scope<'d>,
-    pub pen: Pen,
     /// By name, where the points of the ground and the pins are.
     pub places: HashMap<String, [Figure; 2]>,
 }
@@ -67,25 +67,25 @@ enum Forgetting {
     Nothing,
 }
 
-fn numbers_of_a_drawing(scope: &mut Scope<'_>, numbers: &Declaration, forgetting: Forgetting) {
+fn numbers_of_a_drawing(scope: &mut Scope<'_>, numbers: &[Item<'_>], forgetting: Forgetting) {
     if forgetting == Forgetting::Nothing {
         let pins = std::mem::take(&mut scope.names.pins);
         scope.names = Names { pins, ..begun::names(numbers) };
     }
     let mut reading = scope.names.pins.clone();
-    for (index, statement) in numbers.statements.iter().enumerate() {
+    for (index, item) in numbers.iter().enumerate() {
         scope.names.go_to(index);
         let before = scope.diagnostics.count();
-        statement_walk::statement(scope, statement);
-        let StatementKind::Let(LetStatement { name, .. }) = &statement.kind else { continue };
-        if names_used(statement).iter().any(|used| reading.contains(&used.to_string())) {
+        item.rules.resolve(scope, item.docs);
+        let Some(StatementKind::Let(LetStatement { name, .. })) = item.written else { continue };
+        if item.rules.names_used().iter().any(|used| reading.contains(&used.to_string())) {
             reading.insert(name.to_string());
             if forgetting == Forgetting::OfPins {
                 scope.diagnostics.forget_since(before);
             }
         }
     }
-    scope.names.go_to(numbers.statements.len());
+    scope.names.go_to(numbers.len());
 }
 
 fn pins_of(tree: &Declaration) -> impl Iterator<Item = &Ident> {
@@ -96,26 +96,6 @@ fn pins_of(tree: &Declaration) -> impl Iterator<Item = &Ident> {
     points.map(|(name, _)| name)
 }
 
-/// The unit of the first length that has one.
-fn unit_of(tree: &Declaration) -> Option<String> {
-    let mut found = None;
-    for statement in &tree.statements {
-        expressions(statement, &mut |expr| {
-            let mut open = vec![expr];
-            while let Some(next) = open.pop() {
-                if let ExprKind::Number { units, .. } = &next.kind
-                    && let [(name, 1)] = &units[..]
-                    && units::unit(name).is_some_and(|(measure, _)| measure.length == 1)
-                {
-                    found.get_or_insert_with(|| name.clone());
-                }
-                open.extend(next.parts());
-            }
-        });
-    }
-    found
-}
-
 impl<'d> Measured<'d> {
     /// The numbers of a drawing; `None` where one of them is in error, which was reported.
     pub(in crate::model::drawn) fn of(
@@ -124,24 +104,24 @@ impl<'d> Measured<'d> {
     ) -> Option<Self> {
         let before = diagnostics.count();
         let numbers = numbers_of(tree);
-        let mut scope = begun::scope(&numbers, &tree.unread, diagnostics);
+        let items = items(&numbers);
+        let mut scope = begun::scope(&numbers, &items, &tree.unread, diagnostics);
         scope.names.pins = pins_of(tree).map(ToString::to_string).collect();
         scope.facts.longest_with_unit = begun::longest_with_unit(tree);
-        numbers_of_a_drawing(&mut scope, &numbers, Forgetting::OfPins);
-        order::statements_are_in_order(&mut scope, &numbers);
+        numbers_of_a_drawing(&mut scope, &items, Forgetting::OfPins);
+        order::items_are_in_order(&mut scope, &items);
         if scope.diagnostics.count() != before {
             return None;
         }
-        let pen = Pen { unit: unit_of(tree), at: Span::call_site() };
-        let mut values = Self { scope, pen, places: HashMap::new() };
+        let mut values = Self { scope, places: HashMap::new() };
         for statement in &numbers.statements {
             let StatementKind::Ground(GroundStatement { points }) = &statement.kind else {
                 continue;
             };
-            for (name, written) in points {
-                let Some(place) = values.place(name, written) else {
+            for (name, _) in points {
+                let Some(place) = values.place(name) else {
                     // The reason is among the mistakes that were not reported.
-                    numbers_of_a_drawing(&mut values.scope, &numbers, Forgetting::Nothing);
+                    numbers_of_a_drawing(&mut values.scope, &items, Forgetting::Nothing);
                     return None;
                 };
                 values.places.insert(name.to_string(), place);
@@ -151,37 +131,31 @@ impl<'d> Measured<'d> {
     }
 
     /// Where a point that was resolved is.
-    fn place(&self, name: &Ident, written: &[Expr; 2]) -> Option<[Figure; 2]> {
+    fn place(&self, name: &Ident) -> Option<[Figure; 2]> {
         let Some(Entity::Point(id)) = self.scope.names.entity(name) else { return None };
-        let at = self.mechanism().ground_place(id)?;
-        let [x, y] = [0, 1].map(|i| self.number(&written[i], &at[i], name.span()));
-        Some([x?, y?])
+        let [x, y] = self.mechanism().ground_place(id)?;
+        Some([self.figure(x)?, self.figure(y)?])
     }
 
     pub(in crate::model::drawn) fn mechanism(&self) -> &Mechanism {
         &self.scope.mechanism
     }
 
-    /// The length that was written as this and resolved to that.
-    fn number(&self, written: &Expr, resolved: &Resolved, at: Span) -> Option<Figure> {
-        let exact = resolved.constant().cloned();
-        let value = value(resolved, self.mechanism(), &[])?;
-        let is_written_out = match &written.kind {
-            ExprKind::Negate(inner) => matches!(inner.kind, ExprKind::Number { .. }),
-            kind => matches!(kind, ExprKind::Number { .. }),
-        };
-        let number = Figure::length(self.substituted(written), value, exact);
-        Some(if is_written_out { number } else { self.pen.at(at).as_decimal(number) })
-    }
-
-    /// The expression with the pins' coordinates as they are drawn.
-    pub(in crate::model::drawn) fn substituted(&self, expr: &Expr) -> Expr {
-        expr.replaced(&|part| match &part.kind {
-            ExprKind::Member(owner, member) if member == "x" || member == "y" => {
-                let place = self.places.get(&owner.to_string())?;
-                Some(place[usize::from(member == "y")].text.clone())
-            }
-            _ => None,
+    /// A resolved number of the drawing, the coordinates of pins in it as they are drawn.
+    fn figure(&self, resolved: &Resolved) -> Option<Figure> {
+        let Mechanism { inputs, params, .. } = self.mechanism();
+        Figure::of(resolved, value(resolved, self.mechanism(), &[])?, &|part| {
+            let name = match part {
+                Resolved::Input(id) => inputs[id.index()].name.clone(),
+                Resolved::Param(id) => params[id.index()].name.clone(),
+                Resolved::Let(id) => self.scope.names.name_of(Entity::Let(*id))?,
+                Resolved::Coordinate(point, axis) => {
+                    let name = self.mechanism().points[point.index()].name.to_string();
+                    return Some(self.places.get(&name)?[usize::from(*axis == Axis::Y)].clone());
+                }
+                _ => return None,
+            };
+            Some(Figure::named(&name))
         })
     }
 
@@ -189,15 +163,13 @@ impl<'d> Measured<'d> {
     /// which is reported where the groups are resolved.
     pub(in crate::model::drawn) fn length(&mut self, expr: &Expr) -> Option<Figure> {
         let resolved = self.quietly(|scope| numbers::length(scope, expr))?;
-        let value = value(&resolved, self.mechanism(), &[])?;
-        Some(Figure::length(self.substituted(expr), value, resolved.constant().cloned()))
+        self.figure(&resolved)
     }
 
     /// The same for an angle.
     pub(in crate::model::drawn) fn angle(&mut self, expr: &Expr) -> Option<Figure> {
         let resolved = self.quietly(|scope| numbers::plain_angle(scope, expr))?;
-        let value = value(&resolved, self.mechanism(), &[])?;
-        Some(Figure::plain(self.substituted(expr), value, resolved.constant().cloned()))
+        self.figure(&resolved)
     }
 
     /// The value of an expression at these inputs.
@@ -244,29 +216,19 @@ pub(crate) fn value(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> O
 
 /// The number as the constant that it is at the defaults of the parameters.
 fn folded(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<Resolved> {
-    let of = |expr: &Resolved| folded(expr, mechanism, inputs);
-    match expr {
-        Resolved::Constant(_) => Some(expr.clone()),
+    expr.with_leaves(&mut |leaf| match leaf {
         Resolved::Input(InputId(id)) => {
             Some(Resolved::Constant(Exact::float(*inputs.get(*id as usize)?)?))
         }
         Resolved::Param(id) => match &mechanism.params[id.index()].kind {
             ParamKind::Number { default, .. } => Some(Resolved::Constant(default.clone())),
-            _ => None,
+            ParamKind::Mode { .. } => None,
         },
-        Resolved::Let(id) => of(&mechanism.lets[id.index()].rest),
+        Resolved::Let(id) => folded(&mechanism.lets[id.index()].rest, mechanism, inputs),
         Resolved::Coordinate(point, axis) => {
             let at = mechanism.ground_place(*point)?;
-            of(&at[usize::from(*axis == Axis::Y)])
-        }
-        Resolved::Negate(inner) => Some(of(inner)?.negated()),
-        Resolved::Chain(first, rest) => rest
-            .iter()
-            .try_fold(of(first)?, |sum, (operator, operand)| sum.combined(*operator, of(operand)?)),
-        Resolved::Call(function, arguments) => {
-            let arguments: Option<Vec<_>> = arguments.iter().map(of).collect();
-            Resolved::call(*function, arguments?)
+            folded(&at[usize::from(*axis == Axis::Y)], mechanism, inputs)
         }
         _ => None,
-    }
+    })
 }

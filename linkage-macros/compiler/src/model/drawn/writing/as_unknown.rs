@@ -6,36 +6,35 @@ use proc_macro2::{Ident, Span};
 use crate::chain::cutting::{Closing, DyadLeg, Found, Pair, SearchedGroup, TrackedGroup};
 use crate::chain::machine::{Driven, InputRates};
 use crate::chain::plane::Complex;
-use crate::syntax::tree::{
-    CloseStatement, Expr, ExprKind, GroupFieldValue, InputStatement, PointPlace, PointStatement,
-    Solve, StatementKind, TrackStatement, UnknownStatement,
-};
+use crate::syntax::tree::{InputStatement, StatementKind};
 
 use crate::model::as_drawn::{SearchFollowed, Stretch};
 use crate::model::drawn::outline::bodies::Bodies;
-use crate::model::drawn::outline::figures::sum;
 use crate::model::drawn::outline::frames::{DrawnFrame, Heading, Origin};
-use crate::model::drawn::writing::bars::DrawnBar;
+use crate::model::drawn::writing::bars::LinksOfBar;
 use crate::model::drawn::writing::followed::{DrawnValues, Fitted, traced_names};
-use crate::model::drawn::writing::group_statement::{group_of, named};
-use crate::model::drawn::writing::writer::Writer;
-use crate::model::mechanism::StandsFor;
+use crate::model::drawn::writing::writer::{Writer, offsets};
+use crate::model::figures::{self, Figure};
+use crate::model::mechanism::{Dimension, Sign, StandsFor};
+use crate::model::parts_of_groups::GroupNumbers;
 use crate::model::solved_at_once::{TrackedFit, TrackedUnknown};
+use crate::model::statements::closed_loops::{made_closing, made_tracking};
+use crate::model::statements::points::made_point;
+use crate::model::statements::solves::made_equation;
+use crate::model::statements::unknowns::made_unknown;
 
 impl Writer<'_, '_> {
     /// The unknown that drives a body.
-    pub(in crate::model::drawn) fn unknown(&self, body: usize) -> Expr {
-        let span = self.frames.name(body).span();
-        let named = |name: &Ident| named(&Ident::new(&name.to_string(), span));
+    pub(in crate::model::drawn) fn unknown(&self, body: usize) -> Figure {
         if let Some((_, name)) = self.together.iter().find(|(own, _)| *own == body) {
-            return named(name);
+            return Figure::named(name);
         }
-        match self.searches.last() {
+        match self.links.searches.last() {
             Some(SearchFollowed { unknown, traced: Some(traced), .. }) => {
-                sum(named(unknown), named(traced))
+                Figure::named(unknown).plus(&Figure::named(traced))
             }
-            Some(SearchFollowed { unknown, .. }) => named(unknown),
-            None => named(&Ident::new("phi", span)),
+            Some(SearchFollowed { unknown, .. }) => Figure::named(unknown),
+            None => Figure::zero(),
         }
     }
 
@@ -43,40 +42,30 @@ impl Writer<'_, '_> {
     pub(in crate::model::drawn) fn together(&mut self, tracked: &TrackedGroup) {
         let bodies = tracked.bodies();
         let behind = self.behind(bodies.iter().copied(), None);
-        let (begin, key) = (self.written.len(), self.next_key());
+        let begin = self.written.len();
         let Some((_, drive)) = self.bodies.drives.first() else { return };
         let (drive, drawn) = (drive.value.clone(), self.bodies.drawn_value(0));
-        let unknowns: Vec<TrackedUnknown> =
+        let fitted: Vec<TrackedUnknown> =
             tracked.unknowns().map(|step| self.tracked_unknown(step)).collect();
-        let names: Vec<_> = self.together.iter().map(|(_, name)| name.clone()).collect();
-        let group = self.links.tracked.len();
-        let unknown_names = names.clone();
-        self.put(
-            behind,
-            StatementKind::Track(TrackStatement { unknowns: unknown_names, drive, group }),
-        );
-        tracked.steps.iter().for_each(|step| self.step(step));
-        let points = tracked.closings.iter().map(|closing| self.closing(closing)).collect();
-        let bends = tracked.closings.iter().map(|closing| closing.bend).collect();
-        let close = CloseStatement { unknowns: names, points, bends };
-        self.put(behind, StatementKind::Close(close));
-        let machine = &self.bodies.machine;
-        let mut sorted = bodies.clone();
-        sorted.sort_unstable();
-        let links = sorted.iter().map(|&body| self.frames.name(body).clone()).collect();
+        let unknowns: Vec<_> = self.together.iter().map(|(_, name)| name.clone()).collect();
         let fit = TrackedFit {
-            unknowns,
+            unknowns: fitted,
             drawn,
-            is_turned: machine.drives[0].kind == Driven::Angle,
+            is_turned: self.bodies.machine.drives[0].kind == Driven::Angle,
             closes: tracked.closes,
             pieces: tracked.pieces.clone(),
             size: tracked.size,
         };
-        self.links.tracked.push((links, fit));
+        let mut sorted = bodies.clone();
+        sorted.sort_unstable();
+        let links = sorted.iter().map(|&body| self.frames.name(body).clone()).collect();
+        self.put(behind, made_tracking(unknowns.clone(), drive, (links, fit)));
+        tracked.steps.iter().for_each(|step| self.step(step));
+        let pairs = tracked.closings.iter().map(|closing| (self.closing(closing), closing.bend));
+        let closing = made_closing(unknowns, pairs.collect());
+        self.put(behind, closing);
         self.together.clear();
-        for written in &mut self.written[begin..] {
-            (written.search, written.behind) = (Some(key), behind);
-        }
+        self.are_one_search(begin, behind);
     }
 
     /// The unknown of a step, with a name that nobody has written.
@@ -99,10 +88,8 @@ impl Writer<'_, '_> {
         let (made, link) = (self.bodies.pins[pin].name.clone(), self.frames.name(body).clone());
         let name = self.names.made(format!("{made}_on_{link}"), "_", link.span());
         let frame = self.frames.own_frame(body);
-        let place = PointPlace::Cartesian(self.place_in(body, pin, &frame, &name));
-        self.links.placed.insert(name.clone());
-        let point = PointStatement { name: name.clone(), on: Some(link), place };
-        self.put(0, StatementKind::Point(point));
+        let at = self.place_in(body, pin, &frame);
+        self.put(0, made_point(name.clone(), link, at));
         self.pin_is_elsewhere(body, pin);
         [made, name]
     }
@@ -116,40 +103,34 @@ impl Writer<'_, '_> {
         let unknown = self.free_name(span);
         let drawn = self.drawn(&search.steps[0]);
         let traced = search.following.as_ref().and_then(|following| {
-            let drive = self.bodies.drives.first()?.1.value.clone();
+            let drive = Figure::written(self.bodies.drives.first()?.1.value.clone(), None);
             let drawn = DrawnValues { drive: self.bodies.drawn_value(0), unknown: drawn };
             let names = traced_names(&mut self.names, &unknown);
-            let fitted = Fitted { pen: &self.frames.pen, following, drive, drawn, is_angle };
-            fitted.statements(&names).into_iter().for_each(|kind| self.put(behind, kind));
-            Some(names.traced)
+            let traced = names.traced.clone();
+            let fitted = Fitted { following, drive, drawn, is_angle }.numbers(names);
+            fitted.into_iter().for_each(|part| self.put(behind, part));
+            Some(traced)
         });
         let from = if traced.is_some() { 0.0 } else { drawn };
         self.hide(unknown.clone(), &links);
-        let ends = search.between.map(|end| self.end(from + end, is_angle));
+        let between = search.between.map(|end| end_of_interval(from + end, is_angle));
         let stretches = self.stretches(search);
         let assemblies = search.assemblies.clone();
         let sought = SearchFollowed { unknown: unknown.clone(), traced, stretches, assemblies };
-        self.searches.push(sought);
-        let kind = Ident::new(if is_angle { "angle" } else { "length" }, span);
-        let (name, kind) = (unknown.clone(), Some(kind));
-        self.put(
-            behind,
-            StatementKind::Unknown(UnknownStatement { name, kind, between: Some(ends) }),
-        );
+        self.links.searches.push(sought);
+        let of = if is_angle { Dimension::ANGLE } else { Dimension::LENGTH };
+        self.put(behind, made_unknown(unknown.clone(), of, between));
         search.steps.iter().for_each(|step| self.step(step));
         match search.joints {
             [Pair::Pin(first), Pair::Pin(second)] => {
-                self.distance(search, &unknown, [first, second]);
+                self.distance(search, unknown, [first, second]);
             }
             [Pair::Pin(first), Pair::Slide(slide)] => {
-                self.offset_of(search, &unknown, first, slide);
+                self.offset_of(search, unknown, first, slide);
             }
             [Pair::Slide(_), _] => {}
         }
-        let key = self.next_key();
-        for written in &mut self.written[begin..] {
-            (written.search, written.behind) = (Some(key), behind);
-        }
+        self.are_one_search(begin, behind);
     }
 
     /// The stretches that were followed: of each input that moves anything, or of the first drive.
@@ -193,19 +174,8 @@ impl Writer<'_, '_> {
         }
     }
 
-    /// An end of an interval, to a thousandth of a degree or seven digits.
-    fn end(&self, value: f64, is_angle: bool) -> Expr {
-        match is_angle {
-            true => self.frames.pen.float((value.to_degrees() * 1e3).round() / 1e3, "deg"),
-            false => {
-                let unit = 10_f64.powi(value.abs().max(1e-9).log10().floor() as i32 - 6);
-                self.frames.pen.float((value / unit).round() * unit, "m")
-            }
-        }
-    }
-
     /// The equation of a bar, and the bar behind it.
-    fn distance(&mut self, search: &SearchedGroup, unknown: &Ident, [first, second]: [usize; 2]) {
+    fn distance(&mut self, search: &SearchedGroup, unknown: Ident, [first, second]: [usize; 2]) {
         let body = search.left_out;
         let leg = DyadLeg {
             bodies: [body].into_iter().chain(search.held.map(|(body, _)| body)).collect(),
@@ -213,52 +183,48 @@ impl Writer<'_, '_> {
             held: search.held.map(|(_, held)| held),
         };
         let bar = self.bar(&leg, [first, second]);
-        let name = self.bar_name(&bar);
-        let [p, q] = [first, second].map(|pin| self.bodies.pins[pin].name.clone());
-        self.solve(search, unknown, ("distance", [&p, &q]), bar.length());
-        self.rod(0, (name, body), [first, second]);
-        match bar {
-            DrawnBar::Link { body, pins: [from, to], .. } => {
-                self.bar_is_placed(body, from, to);
-                self.pin_is_elsewhere(body, to);
+        let between = [first, second].map(|pin| self.bodies.pins[pin].name.clone());
+        self.put(0, made_equation(unknown, between, bar.length.clone(), trend(search)));
+        self.rod(0, (bar.name.clone(), body), [first, second]);
+        match bar.links {
+            LinksOfBar::One(body) => {
+                self.bar_is_placed(body, first, second);
+                self.pin_is_elsewhere(body, second);
             }
-            held @ DrawnBar::Held(_) => self.settle_bar(held),
+            LinksOfBar::Held { .. } => self.settle_bar(bar),
         }
     }
 
     /// The equation of a block, and the block behind it.
-    fn offset_of(&mut self, search: &SearchedGroup, unknown: &Ident, pin: usize, slide: usize) {
+    fn offset_of(&mut self, search: &SearchedGroup, unknown: Ident, pin: usize, slide: usize) {
         let body = search.left_out;
         let guide = self.frames.guide_of(slide);
         let (offset, rail) = (self.frames.offset(guide, pin), self.rail(slide, body));
         let name = self.bodies.pins[pin].name.clone();
-        self.solve(search, unknown, ("offset", [&name, &rail]), offset.text.clone());
+        let between = [name.clone(), rail.clone()];
+        self.put(0, made_equation(unknown, between, offset.clone(), trend(search)));
         let block = self.block(body, self.frames.name(body));
-        let pen = self.frames.pen.at(self.frames.name(body).span());
-        let slot = pen.float(90.0, "deg");
-        let mut fields = vec![("slot", GroupFieldValue::One(slot))];
-        fields.extend(self.offsets([offset.clone(), pen.zero()]));
-        let group = group_of(
-            "rpp",
-            vec![(block, name), (self.frames.name(body).clone(), rail)],
-            None,
-            fields,
-        );
-        self.put(0, StatementKind::Group(group));
+        let given = GroupNumbers {
+            slot: Some(Figure::degrees(90.0)),
+            offsets: offsets([offset.clone(), Figure::zero()]),
+            ..GroupNumbers::default()
+        };
+        let legs = vec![[block, name], [self.frames.name(body).clone(), rail]];
+        self.put_group(0, "rpp", legs, None, given);
         // The link's frame begins at the foot of its pin on the rail.
         let line = self.bodies.guides[guide].line.clone();
         let (begins, origin) = match offset.is_zero() {
             true => (Origin::Pin(pin), self.frames.place(pin).clone()),
             false => {
-                let from = pen.minus(self.frames.place(pin), &line.through);
-                let [along, _] = pen.seen_from(&line.along, &from);
+                let from = figures::minus(self.frames.place(pin), &line.through);
+                let [along, _] = figures::seen_from(&line.along, &from);
                 let axis = DrawnFrame {
                     begins: Origin::Guide(guide),
                     points: Heading::Guide(guide),
                     origin: line.through.clone(),
                     axis: line.along.clone(),
                 };
-                (Origin::Guide(guide), axis.placed(&pen, &[along, pen.zero()]))
+                (Origin::Guide(guide), axis.placed(&[along, Figure::zero()]))
             }
         };
         let counted = self.frames.counted_on_rail(slide, body);
@@ -266,28 +232,6 @@ impl Writer<'_, '_> {
         self.settle(body, frame, counted);
         self.slide_is_made(slide, body, None);
         self.pin_is_elsewhere(body, pin);
-    }
-
-    fn solve(
-        &mut self,
-        search: &SearchedGroup,
-        unknown: &Ident,
-        (function, of): (&str, [&Ident; 2]),
-        wanted: Expr,
-    ) {
-        let span = unknown.span();
-        let name = |name: &Ident| Expr { kind: ExprKind::Name(name.clone()), span: span.into() };
-        let left = ExprKind::Call(Ident::new(function, span), of.map(name).to_vec());
-        let mode = Ident::new(if search.rises { "rising" } else { "falling" }, span);
-        let solve = Solve {
-            unknown: unknown.clone(),
-            equation: Some([Expr { kind: left, span: span.into() }, wanted]),
-            mode: Some(mode),
-            near: None,
-            end: span,
-            is_read: true,
-        };
-        self.put(0, StatementKind::Solve(solve));
     }
 
     /// Writes a bar, or what stands for the body, that lies between two pins: a rod from the first through a
@@ -300,10 +244,8 @@ impl Writer<'_, '_> {
     ) {
         let [from, to] = pins.map(|pin| self.bodies.pins[pin].name.clone());
         let block = self.block(body, &name);
-        let fields = vec![self.mode(body, "ahead")];
-        self.frames.turns.join(&name, &from);
-        let group = group_of("rpr", vec![(block, to), (name, from)], None, fields);
-        self.put(behind, StatementKind::Group(group));
+        let legs = vec![[block, to], [name, from]];
+        self.put_group(behind, "rpr", legs, None, GroupNumbers::default());
     }
 
     /// The name of the block that holds a link in place at a joint.
@@ -325,5 +267,21 @@ impl Writer<'_, '_> {
         let letters = ["phi", "psi", "chi", "xi"].map(String::from).into_iter();
         let more = (1..).map(|number| format!("phi{number}"));
         self.names.first(letters.chain(more), span)
+    }
+}
+
+/// The way in which the equation of a search passes its root.
+fn trend(search: &SearchedGroup) -> Sign {
+    if search.rises { Sign::Plus } else { Sign::Minus }
+}
+
+/// An end of an interval, to a thousandth of a degree or seven digits.
+fn end_of_interval(value: f64, is_angle: bool) -> Figure {
+    match is_angle {
+        true => Figure::degrees((value.to_degrees() * 1e3).round() / 1e3),
+        false => {
+            let unit = 10_f64.powi(value.abs().max(1e-9).log10().floor() as i32 - 6);
+            Figure::float((value / unit).round() * unit)
+        }
     }
 }

@@ -2,31 +2,24 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::Expr;
+use crate::model::figures::Figure;
 
-/// The bar of a dyad: a link, or what stands for two.
-pub(in crate::model::drawn) enum DrawnBar {
-    Link { body: usize, pins: [usize; 2], length: Expr },
-    Held(Box<HeldBar>),
-}
-
-impl DrawnBar {
-    pub(in crate::model::drawn) fn length(&self) -> Expr {
-        match self {
-            Self::Link { length, .. } => length.clone(),
-            Self::Held(bar) => bar.length.clone(),
-        }
-    }
-}
-
-/// A bar that stands for two links, the first from its own pin to the pivot, the second from there.
-pub(in crate::model::drawn) struct HeldBar {
+/// The bar of a dyad.
+pub(in crate::model::drawn) struct DrawnBar {
     pub name: Ident,
-    pub length: Expr,
-    pub links: [usize; 2],
-    /// The pins at both ends, and the pivot between the links.
+    pub length: Figure,
     pub pins: [usize; 2],
-    pub pivot: usize,
-    /// The pivot in the bar's frame.
-    pub place: [Expr; 2],
+    pub links: LinksOfBar,
+}
+
+/// The link that is a bar, or those that it stands for.
+pub(in crate::model::drawn) enum LinksOfBar {
+    One(usize),
+    /// The first goes from its own pin to the pivot, the second from there.
+    Held {
+        links: [usize; 2],
+        pivot: usize,
+        /// The pivot in the bar's frame.
+        place: [Figure; 2],
+    },
 }

@@ -1,7 +1,7 @@
 //! Names for what a drawing does not name: an unknown, the block at the end of a bar, the bar that two links are.
 //!
 //! Nothing in the declaration is called so and nothing in it asks for such a name, so that none of them is taken for
-//! another. They stand in the declaration of the groups, which is to compile as it is printed.
+//! another.
 
 use std::collections::HashSet;
 

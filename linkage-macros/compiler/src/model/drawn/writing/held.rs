@@ -5,47 +5,42 @@
 use proc_macro2::Ident;
 
 use crate::chain::cutting::{Carried, Dyad, DyadLeg, Found, Pair};
-use crate::chain::limits::sine;
-use crate::chain::machine::{GROUND, Held};
-use crate::syntax::tree::{
-    Expr, GroupFieldValue, LetStatement, PointPlace, PointStatement, StatementKind,
-};
-
-use crate::model::drawn::outline::figures::{Figure, sum};
+use crate::chain::machine::Held;
 use crate::model::drawn::outline::frames::{DrawnFrame, Heading, Origin};
-use crate::model::drawn::writing::bars::{DrawnBar, HeldBar};
-use crate::model::drawn::writing::group_statement::{group_of, named};
-use crate::model::drawn::writing::writer::{Writer, side};
+use crate::model::drawn::writing::bars::{DrawnBar, LinksOfBar};
+use crate::model::drawn::writing::modes_as_drawn::mode_of;
+use crate::model::drawn::writing::writer::Writer;
+use crate::model::figures::{self, Figure};
+use crate::model::mechanism::Dimension;
+use crate::model::parts_of_groups::GroupNumbers;
+use crate::model::statements::named::made_let;
+use crate::model::statements::points::made_point;
 
 impl Writer<'_, '_> {
     /// The bar between a joint outside and the one between both legs.
     pub(in crate::model::drawn) fn bar(&mut self, leg: &DyadLeg, pins: [usize; 2]) -> DrawnBar {
         match (&leg.bodies[..], leg.held) {
-            (&[first, second], Some(held)) => {
-                DrawnBar::Held(Box::new(self.held_bar([first, second], held, pins)))
-            }
+            (&[first, second], Some(held)) => self.held_bar([first, second], held, pins),
             _ => {
                 let body = leg.bodies[0];
-                DrawnBar::Link { body, pins, length: self.frames.length(body, pins[0], pins[1]) }
+                let length = self.frames.length(body, pins[0], pins[1]);
+                let (name, links) = (self.frames.name(body).clone(), LinksOfBar::One(body));
+                DrawnBar { name, length, pins, links }
             }
-        }
-    }
-
-    pub(in crate::model::drawn) fn bar_name(&self, bar: &DrawnBar) -> Ident {
-        match bar {
-            DrawnBar::Link { body, .. } => self.frames.name(*body).clone(),
-            DrawnBar::Held(bar) => bar.name.clone(),
         }
     }
 
     /// Goes on from a bar that its group has placed.
     pub(in crate::model::drawn) fn settle_bar(&mut self, bar: DrawnBar) {
-        match bar {
-            DrawnBar::Link { body, pins: [from, to], .. } => {
+        let DrawnBar { name, pins: [from, to], links, .. } = bar;
+        match links {
+            LinksOfBar::One(body) => {
                 self.bar_is_placed(body, from, to);
                 self.is_a_bar(body, [from, to]);
             }
-            DrawnBar::Held(bar) => self.held_links_follow(*bar),
+            LinksOfBar::Held { links, pivot, place } => {
+                self.held_links_follow((name, [from, to]), links, (pivot, place));
+            }
         }
     }
 
@@ -60,60 +55,52 @@ impl Writer<'_, '_> {
     /// Writes the length of the bar that two links are. With A and B the lengths from pin to pivot
     /// and from pivot to pin, and δ the angle between, its far pin is at (A + B cos δ, B sin δ) in
     /// the frame along A.
-    pub(in crate::model::drawn) fn held_bar(
-        &mut self,
-        links: [usize; 2],
-        held: Held,
-        pins: [usize; 2],
-    ) -> HeldBar {
+    fn held_bar(&mut self, links: [usize; 2], held: Held, pins: [usize; 2]) -> DrawnBar {
         let [_, second] = links;
         let name = self.free_bar_name(links);
-        let pen = self.frames.pen.at(name.span());
         let places = [pins[0], held.pivot, pins[1]].map(|pin| self.frames.place(pin).clone());
-        let vectors = [pen.minus(&places[1], &places[0]), pen.minus(&places[2], &places[1])];
-        let [a, b] = vectors.each_ref().map(|vector| pen.size(vector));
+        let vectors =
+            [figures::minus(&places[1], &places[0]), figures::minus(&places[2], &places[1])];
+        let [a, b] = vectors.each_ref().map(figures::size);
         let angles = [0, 1].map(|i| {
             let frame = &self.bodies.frames[links[i]];
-            pen.angle(&frame.local_direction(&pen, &vectors[i]))
+            Figure::angle_of(&frame.local_direction(&vectors[i]))
         });
-        let between = pen.sub(&angles[1], &angles[0]);
-        let value = self.value(Some(held.drive), second);
-        let turn = if between.is_zero() { value } else { sum(value, between.text) };
+        let between = angles[1].minus(&angles[0]);
+        let turn = self.value(Some(held.drive), second).plus(&between);
         let behind = self.behind(links, Some(held.drive));
-        let mut number = |ending: &str, value: Expr| {
+        let mut number = |ending: &str, value: Figure, of: Dimension| {
             let name = self.names.made(format!("{name}_{ending}"), "_", name.span());
-            let number = named(&name);
-            self.put(behind, StatementKind::Let(LetStatement { name, value }));
+            let number = Figure::named(&name);
+            self.put(behind, made_let(name, value, of));
             number
         };
-        let turn = Figure::plain(number("turn", turn), f64::NAN, None);
-        let x = number("x", pen.add(&a, &pen.mul(&b, &pen.cos(&turn))).text);
-        let y = number("y", pen.mul(&b, &pen.sin(&turn)).text);
-        let [x, y] = [x, y].map(|text| Figure::length(text, f64::NAN, None));
-        let length = number("length", pen.hypot(&x, &y).text);
-        let long = Figure::length(length.clone(), f64::NAN, None);
-        let place = [x, pen.neg(&y)].map(|part| pen.mul(&a, &pen.div(&part, &long)).text);
-        HeldBar { name, length, links, pins, pivot: held.pivot, place }
+        let turn = number("turn", turn, Dimension::ANGLE);
+        let x = number("x", a.plus(&b.times(&turn.cos())), Dimension::LENGTH);
+        let y = number("y", b.times(&turn.sin()), Dimension::LENGTH);
+        let length = number("length", x.hypot(&y), Dimension::LENGTH);
+        let place = [x, y.negated()].map(|part| a.times(&part.over(&length)));
+        let links = LinksOfBar::Held { links, pivot: held.pivot, place };
+        DrawnBar { name, length, pins, links }
     }
 
     /// Writes both links behind the group of their bar.
-    pub(in crate::model::drawn) fn held_links_follow(&mut self, bar: HeldBar) {
-        let HeldBar { name, links: [first, second], pins: [from, to], pivot, place, .. } = bar;
+    fn held_links_follow(
+        &mut self,
+        (name, [from, to]): (Ident, [usize; 2]),
+        [first, second]: [usize; 2],
+        (pivot, place): (usize, [Figure; 2]),
+    ) {
         let behind = self.behind([first, second], None);
         let joint = self.bodies.pins[pivot].name.clone();
-        let kind = StatementKind::Point(PointStatement {
-            name: joint.clone(),
-            on: Some(name),
-            place: PointPlace::Cartesian(place),
-        });
         self.made[pivot] = true;
-        self.put(behind, kind);
+        self.put(behind, made_point(joint, name, place));
         for (link, from, to) in [(first, from, pivot), (second, pivot, to)] {
             self.rod(behind, (self.frames.name(link).clone(), link), [from, to]);
             self.bar_is_placed(link, from, to);
             self.pin_is_elsewhere(link, to);
         }
-        self.holds_links = true;
+        self.links.holds_links = true;
     }
 
     /// A name for the bar that nothing has.
@@ -141,11 +128,13 @@ impl Writer<'_, '_> {
         let all: Vec<_> = [b].into_iter().chain(dyad.carried_bodies()).collect();
         self.hide(shifted.clone(), &all);
         let bars = [(a, [u, v]), (b, [w, tip])];
-        let lengths = bars.map(|(body, [from, to])| self.frames.length(body, from, to));
-        let mode = side(sine(&self.bodies.machine, dyad));
-        let fields = vec![("lengths", GroupFieldValue::Pair(lengths)), self.mode(a, mode)];
+        let given = GroupNumbers {
+            lengths: bars.map(|(body, [from, to])| self.frames.length(body, from, to)).into(),
+            mode: Some(mode_of(&self.bodies.machine, dyad)),
+            ..GroupNumbers::default()
+        };
         let first = (a, self.frames.name(a).clone(), self.bodies.pins[u].name.clone());
-        self.group(&dyad.letters(), &[first, (b, shifted.clone(), at)], Some(v), fields, None);
+        self.group(&dyad.letters(), &[first, (b, shifted.clone(), at)], Some(v), given, None);
         self.bar_is_placed(a, u, v);
         self.is_a_bar(a, [u, v]);
         dyad.carried.iter().for_each(|carried| self.carried_link(carried));
@@ -153,12 +142,11 @@ impl Writer<'_, '_> {
     }
 
     /// The angle of a link by its drives, and what it is measured from.
-    fn angle_by_drives(&self, carried: &Carried) -> Vec<(&'static str, GroupFieldValue)> {
+    fn angle_by_drives(&self, carried: &Carried) -> GroupNumbers {
         let values = carried.drives.iter().map(|&[drive, body]| self.value(Some(drive), body));
-        let Some(angle) = values.reduce(sum) else { return Vec::new() };
-        let reference = (carried.reference != GROUND).then(|| self.frames.name(carried.reference));
-        let against = reference.map(|name| ("relative_to", GroupFieldValue::One(named(name))));
-        [("angle", GroupFieldValue::One(angle))].into_iter().chain(against).collect()
+        let (angle, relative_to) =
+            (values.reduce(|all, next| all.plus(&next)), self.turns_against(carried.reference));
+        GroupNumbers { angle, relative_to, ..GroupNumbers::default() }
     }
 
     /// A link that turns as a carried one about a point, and the point where that one then ends: the vector between its
@@ -168,25 +156,22 @@ impl Writer<'_, '_> {
         let name = self.names.made(format!("{}_at_{at}", self.frames.name(body)), "_", at.span());
         self.hide(name.clone(), &[body]);
         let drive = carried.drives.first().map(|[drive, _]| *drive);
-        let fields = self.angle_by_drives(carried);
-        self.group("crank", &[(body, name.clone(), at.clone())], None, fields, drive);
-        let pen = self.frames.pen.at(name.span());
+        let given = self.angle_by_drives(carried);
+        self.group("crank", &[(body, name.clone(), at.clone())], None, given, drive);
         let frame = &self.bodies.frames[body];
-        let back = pen.minus(self.frames.place(from), self.frames.place(to));
-        let local = match (&self.bodies.link(body).length, frame.points) {
-            (Some((length, _)), Heading::Pins(near, _)) => {
-                let length = Figure::length((*length).clone(), f64::NAN, None);
-                let along = if near == to { length } else { pen.neg(&length) };
-                [along, pen.zero()]
+        let back = figures::minus(self.frames.place(from), self.frames.place(to));
+        let local = match (self.bodies.link(body).declared_length(), frame.points) {
+            (Some(length), Heading::Pins(near, _)) => {
+                let along = if near == to { length } else { length.negated() };
+                [along, Figure::zero()]
             }
             (_, Heading::X) => back,
-            _ => pen.seen_from(&frame.axis, &back),
+            _ => figures::seen_from(&frame.axis, &back),
         };
         let point = self.names.made(format!("{at}_shifted"), "_", name.span());
-        let place = PointPlace::Cartesian(local.map(|number| number.text));
-        let on = Some(name);
+        let (on, at) = (name, local);
         let behind = self.bodies.link(body).statement;
-        self.put(behind, StatementKind::Point(PointStatement { name: point.clone(), on, place }));
+        self.put(behind, made_point(point.clone(), on, at));
         point
     }
 
@@ -197,10 +182,10 @@ impl Writer<'_, '_> {
             let (drive, reference) = (Some(drive), carried.reference);
             return self.step(&Found::Crank { drive, body, reference, pivot });
         }
-        let fields = self.angle_by_drives(carried);
+        let given = self.angle_by_drives(carried);
         let drive = carried.drives.first().map(|[drive, _]| *drive);
         let leg = (body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone());
-        self.group("crank", &[leg], None, fields, drive);
+        self.group("crank", &[leg], None, given, drive);
         let counted = self.frames.counted_by_drives(&carried.drives, carried.reference);
         self.settle_about(body, pivot, counted);
     }
@@ -214,15 +199,13 @@ impl Writer<'_, '_> {
 
     /// A bar at its outer pin, along the one that stands for it in the group.
     fn alongside(&mut self, body: usize, shifted: &Ident, [from, to]: [usize; 2]) {
-        let zero = self.frames.pen.at(self.frames.name(body).span()).float(0.0, "rad");
-        let fields = vec![
-            ("angle", GroupFieldValue::One(zero)),
-            ("relative_to", GroupFieldValue::One(named(shifted))),
-        ];
-        let leg = (self.frames.name(body).clone(), self.bodies.pins[from].name.clone());
-        self.frames.turns.join(&leg.0, &leg.1);
-        let behind = self.bodies.link(body).statement;
-        self.put(behind, StatementKind::Group(group_of("crank", vec![leg], None, fields)));
+        let given = GroupNumbers {
+            angle: Some(Figure::zero()),
+            relative_to: Some(shifted.clone()),
+            ..GroupNumbers::default()
+        };
+        let leg = [self.frames.name(body).clone(), self.bodies.pins[from].name.clone()];
+        self.put_group(self.bodies.link(body).statement, "crank", vec![leg], None, given);
         self.bar_is_placed(body, from, to);
         self.pin_is_elsewhere(body, to);
     }

@@ -1,10 +1,9 @@
-//! Writes the groups that were found as statements of the language, in solving order.
+//! Makes groups of the steps of a cut, in solving order.
 
 pub(in crate::model::drawn) mod as_unknown;
 pub(in crate::model::drawn) mod bars;
 pub(in crate::model::drawn) mod followed;
 pub(in crate::model) mod free_names;
-pub(in crate::model::drawn) mod group_statement;
 pub(in crate::model::drawn) mod held;
 pub(in crate::model::drawn) mod modes_as_drawn;
 pub(in crate::model::drawn) mod placed;

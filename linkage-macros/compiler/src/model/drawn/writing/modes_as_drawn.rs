@@ -3,29 +3,30 @@
 
 use proc_macro2::Ident;
 
+use crate::chain::cutting::Dyad;
+use crate::chain::limits;
+use crate::chain::machine::Machine;
 use crate::chain::plane::Complex;
 use crate::syntax::anatomy::GroupSpec;
-use crate::syntax::tree::{GroupField, GroupFieldValue, GroupStatement};
+use crate::syntax::tree::GroupStatement;
 
 use crate::model::drawn::outline::bodies::Bodies;
 use crate::model::drawn::outline::messages::LEAST_SINE;
-use crate::model::drawn::writing::group_statement::named;
+use crate::model::mechanism::Sign;
 
 /// The mode of a group that is declared by hand, where it leaves out one that it needs and all its pins are drawn off its
 /// limit.
 pub(in crate::model::drawn) fn mode_as_drawn(
     bodies: &Bodies<'_>,
     group: &GroupStatement,
-) -> Option<GroupField> {
+) -> Option<Sign> {
     let anatomy = GroupSpec::of(&group.keyword.to_string());
-    let [plus, minus] = anatomy.filter(|anatomy| anatomy.mode_is_needed())?.modes?.words();
+    anatomy.filter(|anatomy| anatomy.mode_is_needed())?;
     let sine = sine(bodies, group)?;
     if group.fields.iter().any(|field| field.name == "mode") || sine.abs() < LEAST_SINE {
         return None;
     }
-    let [name, word] =
-        ["mode", if sine > 0.0 { plus } else { minus }].map(|word| Ident::new(word, group.end));
-    Some(GroupField { name, value: GroupFieldValue::One(named(&word)) })
+    Some(if sine > 0.0 { Sign::Plus } else { Sign::Minus })
 }
 
 /// The measure of the group in the drawing, whose sign is the mode: the sine between two bars, or the cosine between a
@@ -94,4 +95,9 @@ pub(in crate::model::drawn) fn corners_of_group(
     let pin = group.pin.as_ref()?;
     let [from, to] = [first, second].map(|leg| bodies.pin(leg.joint.as_ref()?));
     parallel(bodies, [from?, bodies.pin(pin)?, to?])
+}
+
+/// The mode in which a dyad is drawn.
+pub(in crate::model::drawn) fn mode_of(machine: &Machine, dyad: &Dyad) -> Sign {
+    if limits::sine(machine, dyad) > 0.0 { Sign::Plus } else { Sign::Minus }
 }

@@ -3,14 +3,15 @@
 use proc_macro2::Ident;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Expr, PointPlace, PointStatement, StatementKind};
+use crate::syntax::tree::PointPlace;
 
 use crate::model::drawn::outline::bodies::{Bodies, PinPlace};
-use crate::model::drawn::outline::figures::Figure;
 use crate::model::drawn::outline::frames::{DrawnFrame, Heading, Origin};
 use crate::model::drawn::outline::lengths::in_words;
 use crate::model::drawn::writing::writer::Writer;
 use crate::model::drawn_links::BarFound;
+use crate::model::figures::{self, Figure};
+use crate::model::statements::points::made_point;
 
 /// Reports points whose place on their link needs the link to be placed first, where the link is placed from them:
 /// those at distances, and those beside the far end of a declared length.
@@ -65,8 +66,7 @@ pub(in crate::model::drawn) fn report_distances_apart(
 impl Writer<'_, '_> {
     pub(in crate::model::drawn) fn bar_is_placed(&mut self, body: usize, from: usize, to: usize) {
         let origin = self.frames.place(from).clone();
-        let axis =
-            self.frames.pen.at(self.frames.name(body).span()).minus(self.frames.place(to), &origin);
+        let axis = figures::minus(self.frames.place(to), &origin);
         let (begins, points) = (Origin::Pin(from), Heading::Pins(from, to));
         let counted = self.frames.uncounted(body, &axis);
         self.settle(body, DrawnFrame { begins, points, origin, axis }, counted);
@@ -94,20 +94,20 @@ impl Writer<'_, '_> {
     /// Remembers the frame that a group gave a link, at this angle in the drawing, and makes the link's other pins.
     pub(in crate::model::drawn) fn settle(&mut self, body: usize, frame: DrawnFrame, counted: f64) {
         let (bodies, link) = (self.bodies, self.bodies.link(body));
-        let length = link.length.as_ref().map(|(length, _)| *length);
+        let length = link.declared_length();
         self.frames.own[body] = Some(frame.clone());
         self.frames.counted[body] = Some(counted);
-        self.frames.turns.note(link.name, &bodies.frames[body], (&frame, counted), length);
+        self.frames.note(link.name, &bodies.frames[body], (&frame, counted), length.as_ref());
         let ends: Option<[usize; 2]> = length.and_then(|_| link.pins[..].try_into().ok());
         for &pin in &link.points {
             let place = &bodies.pins[pin];
             if !std::mem::replace(&mut self.made[pin], true) {
-                self.frames.turns.join(link.name, &place.name);
+                self.frames.join(link.name, &place.name);
             } else {
                 self.replaced.push(place.name.clone());
                 let is_at_distances = matches!(place.on, Some((_, PointPlace::Distances(..))));
                 if is_at_distances || ends.is_some_and(|[_, far]| frame.stands_on(far)) {
-                    self.misplaced.push(place.name.clone());
+                    self.links.misplaced.push(place.name.clone());
                 }
             }
         }
@@ -116,56 +116,45 @@ impl Writer<'_, '_> {
                 continue;
             }
             let name = bodies.pins[pin].name.clone();
-            let place = self.place_in(body, pin, &frame, &name);
-            let (on, place) = (Some(link.name.clone()), PointPlace::Cartesian(place));
-            self.frames.turns.join(link.name, &name);
-            self.links.placed.insert(name.clone());
-            let kind = StatementKind::Point(PointStatement { name, on, place });
-            self.put(link.statement, kind);
+            let (on, at) = (link.name.clone(), self.place_in(body, pin, &frame));
+            self.frames.join(link.name, &name);
+            self.put(link.statement, made_point(name, on, at));
         }
     }
 
     /// The place of a pin in the frame of its link, as its group gave it.
     pub(in crate::model::drawn) fn place_in(
-        &mut self,
+        &self,
         body: usize,
         pin: usize,
         frame: &DrawnFrame,
-        name: &Ident,
-    ) -> [Expr; 2] {
-        let bodies = self.bodies;
-        let link = bodies.link(body);
-        let length = link.length.as_ref().map(|(length, _)| *length);
-        let ends: Option<[usize; 2]> = length.and_then(|_| link.pins[..].try_into().ok());
-        match (length, ends) {
+    ) -> [Figure; 2] {
+        let link = self.bodies.link(body);
+        let length = link.declared_length();
+        let ends: Option<[usize; 2]> = link.pins[..].try_into().ok();
+        match (&length, ends) {
             (Some(length), Some(ends)) if !frame.stands_on(ends[1]) => {
                 self.far_end(frame, ends, length)
             }
             (Some(length), Some([near, far])) => {
-                let pen = self.frames.pen.at(name.span());
-                let along = pen.minus(self.frames.place(far), self.frames.place(near));
-                let along = frame.local_direction(&pen, &along);
-                let size = pen.size(&along);
+                let along = figures::minus(self.frames.place(far), self.frames.place(near));
+                let along = frame.local_direction(&along);
+                let size = figures::size(&along);
                 let axis = match frame.points {
-                    Heading::Pins(from, to) if [from, to] == [near, far] => pen.x_axis(),
-                    _ => along.map(|part| pen.div(&part, &size)),
+                    Heading::Pins(from, to) if [from, to] == [near, far] => figures::x_axis(),
+                    _ => along.map(|part| part.over(&size)),
                 };
-                self.frames.turns.near_end(&pen, length, &axis)
+                self.frames.near_end(length, &axis)
             }
-            _ => frame
-                .local(&self.frames.pen.at(name.span()), self.frames.place(pin))
-                .map(|number| number.text),
+            _ => frame.local(self.frames.place(pin)),
         }
     }
 
     /// The place of the far end of a declared length, in a frame that does not depend on it.
-    fn far_end(&self, frame: &DrawnFrame, [near, far]: [usize; 2], length: &Expr) -> [Expr; 2] {
-        let pen = self.frames.pen.at(self.bodies.pins[far].name.span());
-        let along = pen.minus(self.frames.place(far), self.frames.place(near));
-        let along = frame.local_direction(&pen, &along);
-        let size = pen.size(&along);
-        let length = Figure::length(length.clone(), f64::NAN, None);
-        let way = along.map(|part| pen.mul(&length, &pen.div(&part, &size)));
-        pen.plus(&frame.local(&pen, self.frames.place(near)), &way).map(|number| number.text)
+    fn far_end(&self, frame: &DrawnFrame, [near, far]: [usize; 2], length: &Figure) -> [Figure; 2] {
+        let along = figures::minus(self.frames.place(far), self.frames.place(near));
+        let along = frame.local_direction(&along);
+        let way = figures::along(length, &along);
+        figures::plus(&frame.local(self.frames.place(near)), &way)
     }
 }

@@ -1,34 +1,57 @@
-//! Statements in an order in which each uses only what earlier ones make.
+//! The items that a drawing became, in an order in which each uses only what earlier ones make.
 
 use std::collections::HashMap;
 
 use proc_macro2::Ident;
 
-use crate::syntax::tree::{ExprKind, Statement, StatementKind};
+use crate::syntax::tree::{ExprKind, Statement};
 
 use crate::model::drawn_links::SlideFound;
-use crate::model::references::{expressions, names_used};
-use crate::model::statements::declared_by;
+use crate::model::items::Item;
+use crate::model::names::Kind;
+use crate::model::statements::Rules;
+use crate::model::statements::made::MadeItem;
 
-/// A statement of the groups, before they stand in order.
-pub(in crate::model::drawn) struct Written {
+/// An item of what a drawing became, before they stand in order.
+pub(in crate::model::drawn) struct Written<'t> {
     /// The statement of the drawing behind which it stands.
     pub behind: usize,
     /// The search that it is part of.
     pub search: Option<usize>,
-    pub statement: Statement,
+    pub source: Source<'t>,
 }
 
-/// The statements, each behind those that it needs and else as they stand. What uses a part of a search
+/// The place where an item comes from.
+pub(in crate::model::drawn) enum Source<'t> {
+    Statement(&'t Statement),
+    MadeItem(MadeItem),
+}
+
+impl Written<'_> {
+    /// True if a search begins with it, which declares what is searched.
+    fn begins(&self) -> bool {
+        let declared = self.item().rules.declares();
+        self.search.is_some() && declared.iter().any(|(_, kind)| *kind == Kind::Unknown)
+    }
+
+    pub(in crate::model::drawn) fn item(&self) -> Item<'_> {
+        match &self.source {
+            Source::Statement(statement) => Item::of(statement),
+            Source::MadeItem(made) => Item::made(made),
+        }
+    }
+}
+
+/// The items, each behind those that it needs and else as they stand. What uses a part of a search
 /// stands behind its `solve`. What stands in a circle keeps its place: that is reported where names
 /// are resolved.
-pub(in crate::model::drawn) fn ordered(
-    statements: Vec<Written>,
+pub(in crate::model::drawn) fn ordered<'t>(
+    statements: Vec<Written<'t>>,
     slides: &[SlideFound],
-) -> Vec<Statement> {
+) -> Vec<Written<'t>> {
     let mut makers = HashMap::new();
-    for (index, Written { statement, .. }) in statements.iter().enumerate() {
-        for (name, _) in declared_by(statement) {
+    for (index, written) in statements.iter().enumerate() {
+        for (name, _) in written.item().rules.declares() {
             makers.entry(name.to_string()).or_insert(index);
         }
     }
@@ -36,8 +59,9 @@ pub(in crate::model::drawn) fn ordered(
     let uses: Vec<Vec<usize>> = statements
         .iter()
         .enumerate()
-        .map(|(index, Written { statement, .. })| {
-            let needed = [names_used(statement), joints_read(statement, slides)].concat();
+        .map(|(index, written)| {
+            let rules = written.item().rules;
+            let needed = [rules.names_used(), joints_read(rules, slides)].concat();
             let made = needed.iter().filter_map(|name| makers.get(&name.to_string()).copied());
             made.filter(|&maker| maker != index).collect()
         })
@@ -61,16 +85,15 @@ pub(in crate::model::drawn) fn ordered(
         })
         .collect();
     // A search begins when all is there that it stands on.
-    for (index, Written { search, statement, .. }) in statements.iter().enumerate() {
-        let begins = matches!(statement.kind, StatementKind::Unknown(_) | StatementKind::Track(_));
-        if search.is_some() && begins {
+    for (index, written) in statements.iter().enumerate() {
+        if written.begins() {
             let own: Vec<_> =
-                (0..statements.len()).filter(|&other| parts[other] == *search).collect();
+                (0..statements.len()).filter(|&other| parts[other] == written.search).collect();
             let all: Vec<_> = own.iter().flat_map(|&other| needs[other].clone()).collect();
             needs[index].extend(all.into_iter().filter(|need| !own.contains(need)));
         }
     }
-    let mut open: Vec<_> = statements.into_iter().map(|written| Some(written.statement)).collect();
+    let mut open: Vec<_> = statements.into_iter().map(Some).collect();
     let mut ordered = Vec::new();
     for _ in 0..open.len() {
         let is_free = |index: &usize| {
@@ -83,19 +106,19 @@ pub(in crate::model::drawn) fn ordered(
 }
 
 /// By search, the statement that solves it.
-fn solves_of_searches(statements: &[Written]) -> HashMap<usize, usize> {
+fn solves_of_searches(statements: &[Written<'_>]) -> HashMap<usize, usize> {
     let solves = statements.iter().enumerate().filter_map(|(index, written)| {
-        let is_solve =
-            matches!(written.statement.kind, StatementKind::Solve(_) | StatementKind::Close(_));
-        Some((written.search.filter(|_| is_solve)?, index))
+        // It makes nothing, unlike all else in a search.
+        let solves = written.item().rules.declares().is_empty();
+        Some((written.search.filter(|_| solves)?, index))
     });
     solves.collect()
 }
 
-/// The links by whose joints those slide whose slides a statement reads.
-fn joints_read(statement: &Statement, slides: &[SlideFound]) -> Vec<Ident> {
+/// The links by whose joints those slide whose slides an item reads.
+fn joints_read(rules: &dyn Rules, slides: &[SlideFound]) -> Vec<Ident> {
     let mut joints = Vec::new();
-    expressions(statement, &mut |expr| {
+    rules.each_expression(&mut |expr| {
         expr.each_part(&mut |part| {
             let ExprKind::Member(link, member) = &part.kind else { return };
             let own = slides.iter().filter(|slide| slide.is_first && slide.link == *link);
@@ -107,7 +130,7 @@ fn joints_read(statement: &Statement, slides: &[SlideFound]) -> Vec<Ident> {
 
 /// The search that each statement is a part of: its own, or one that needs the statement and makes what it stands
 /// on, like a slot on a link that the unknown drives.
-fn parts_of_searches(statements: &[Written], uses: &[Vec<usize>]) -> Vec<Option<usize>> {
+fn parts_of_searches(statements: &[Written<'_>], uses: &[Vec<usize>]) -> Vec<Option<usize>> {
     let mut parts: Vec<_> = statements.iter().map(|written| written.search).collect();
     let searches = statements.iter().filter_map(|written| written.search).max();
     for search in 0..searches.map_or(0, |last| last + 1) {

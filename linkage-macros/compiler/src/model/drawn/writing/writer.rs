@@ -1,63 +1,49 @@
-//! The steps of a cut as statements of drivers and groups.
+//! The steps of a cut as drivers and groups.
 
 use proc_macro2::Ident;
 
 use crate::chain::cutting::{Dyad, Found, Pair};
-use crate::chain::limits::sine;
-use crate::chain::machine::GROUND;
-use crate::syntax::tree::{Expr, GroupFieldValue, Statement, StatementKind};
+use crate::chain::machine::{Driven, GROUND};
+use crate::syntax::anatomy::GroupSpec;
+use crate::syntax::tree::StatementKind;
 
-use crate::model::as_drawn::SearchFollowed;
 use crate::model::drawn::group_frames::GroupFrames;
 use crate::model::drawn::is_point_of;
 use crate::model::drawn::outline::bodies::Bodies;
-use crate::model::drawn::outline::figures::{Figure, Pen};
-use crate::model::drawn::writing::bars::DrawnBar;
 use crate::model::drawn::writing::free_names::FreeNames;
-use crate::model::drawn::writing::group_statement::{group_of, named};
-use crate::model::drawn::writing::modes_as_drawn::{corners_of_group, mode_as_drawn, parallel};
-use crate::model::drawn::writing::sorted::{Written, ordered};
+use crate::model::drawn::writing::modes_as_drawn::{
+    corners_of_group, mode_as_drawn, mode_of, parallel,
+};
+use crate::model::drawn::writing::sorted::{Source, Written, ordered};
 use crate::model::drawn_links::DrawnLinks;
+use crate::model::figures::{self, Figure};
+use crate::model::mechanism::Dimension;
+use crate::model::parts_of_groups::GroupNumbers;
+use crate::model::statements::made::MadeItem;
+use crate::model::statements::made_groups::made_group;
 
-/// The statements that a drawing became.
-pub(in crate::model::drawn) struct Translated {
-    pub statements: Vec<Statement>,
-    pub links: DrawnLinks,
-    pub searches: Vec<SearchFollowed>,
-    /// True if drives hold links together.
-    pub holds_links: bool,
-    /// Points declared on links that other statements make, though their place is not known before the link's.
-    pub misplaced: Vec<Ident>,
-}
-
-/// Writes statements in solving order.
+/// Makes groups in solving order.
 pub(in crate::model::drawn) struct Writer<'b, 't> {
     pub(in crate::model::drawn) bodies: &'b Bodies<'t>,
-    /// True for the pins that statements have made so far.
+    /// True for the pins that are made so far.
     pub(in crate::model::drawn) made: Vec<bool>,
-    /// Points declared on links, which were reached before their link: another statement makes them.
+    /// Points declared on links, which were reached before their link and made elsewhere.
     pub(in crate::model::drawn) replaced: Vec<Ident>,
-    /// Those of them whose place is not known before the link's.
-    pub(in crate::model::drawn) misplaced: Vec<Ident>,
     pub(in crate::model::drawn) frames: GroupFrames<'b, 't>,
-    pub(in crate::model::drawn) written: Vec<Written>,
+    pub(in crate::model::drawn) written: Vec<Written<'t>>,
     /// The bodies whose unknowns are solved at once, with these, while their group is written.
     pub(in crate::model::drawn) together: Vec<(usize, Ident)>,
     /// The count of groups so far that are solved by unknowns.
     keys: usize,
-    /// The searches so far.
-    pub(in crate::model::drawn) searches: Vec<SearchFollowed>,
     pub(in crate::model::drawn) names: FreeNames,
     /// Links that groups have as bars between the first two pins of their statements.
     pub(in crate::model::drawn) bars: Vec<usize>,
     /// The links as groups make them.
     pub(in crate::model::drawn) links: DrawnLinks,
-    /// True if drives hold links together.
-    pub(in crate::model::drawn) holds_links: bool,
 }
 
 impl<'b, 't> Writer<'b, 't> {
-    pub(in crate::model::drawn) fn new(bodies: &'b Bodies<'t>, pen: &Pen) -> Self {
+    pub(in crate::model::drawn) fn new(bodies: &'b Bodies<'t>) -> Self {
         let mut made = vec![false; bodies.pins.len()];
         let machine = &bodies.machine;
         let makes = |&body: &usize| machine.is_given(body) && !bodies.fixed.contains(&body);
@@ -68,66 +54,58 @@ impl<'b, 't> Writer<'b, 't> {
             bodies,
             made,
             replaced: Vec::new(),
-            misplaced: Vec::new(),
-            frames: GroupFrames::new(bodies, pen),
+            frames: GroupFrames::new(bodies),
             written: Vec::new(),
             together: Vec::new(),
             keys: 0,
-            searches: Vec::new(),
             names: FreeNames::of(bodies.tree),
             bars: Vec::new(),
             links: DrawnLinks::default(),
-            holds_links: false,
         }
     }
 
-    /// All statements of the declaration, in solving order.
-    pub(in crate::model::drawn) fn declaration(self) -> Translated {
+    /// All that the drawing became, in solving order.
+    pub(in crate::model::drawn) fn finish(self) -> (Vec<Written<'t>>, DrawnLinks) {
         let (bars, joints) = (self.frames.bars_between_pins(&self.bars), self.frames.joints());
         let angles = self.frames.counted_angles();
-        let Self {
-            bodies,
-            frames,
-            mut written,
-            searches,
-            mut links,
-            names,
-            holds_links,
-            replaced,
-            misplaced,
-            ..
-        } = self;
+        let Self { bodies, frames, mut written, mut links, names, replaced, .. } = self;
         for (index, statement) in bodies.other_statements() {
             if is_point_of(&replaced, &statement.kind) {
                 continue;
             }
-            let mut statement = statement.clone();
-            match &mut statement.kind {
+            let mut source = Source::Statement(statement);
+            match &statement.kind {
                 StatementKind::Group(group) => {
-                    if let Some(mode) = mode_as_drawn(bodies, group) {
+                    if let (Some(mode), [leg, ..]) = (mode_as_drawn(bodies, group), &group.legs[..])
+                    {
                         links.parallels.extend(corners_of_group(bodies, group));
-                        group.fields.push(mode);
+                        links.modes.insert(leg.link.clone(), mode);
                     }
                 }
-                StatementKind::Guide(guide) => frames.turns.tell_places_in(guide),
+                StatementKind::Guide(guide) => {
+                    if let Some(told) = frames.told(guide) {
+                        source = Source::MadeItem(told);
+                    }
+                }
                 _ => {}
             }
-            written.push(Written { behind: index, search: None, statement });
+            written.push(Written { behind: index, search: None, source });
         }
         written.sort_by_key(|written| written.behind);
         let drawn = bodies.links.iter().filter(|link| !link.is_given);
         let hidden = links.hidden.iter().map(|(name, _)| name);
         links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
         (links.bars, links.joints, links.angles) = (bars, joints, angles);
-        (links.names, links.frames) = (names.made, frames.turns.found());
-        let statements = ordered(written, &links.slides);
-        Translated { statements, links, searches, holds_links, misplaced }
+        (links.names, links.frames) = (names.made, frames.found());
+        (ordered(written, &links.slides), links)
     }
 
-    /// The number of the next group that is solved by unknowns.
-    pub(in crate::model::drawn) fn next_key(&mut self) -> usize {
+    /// Makes all items from this one on a group that is solved by unknowns.
+    pub(in crate::model::drawn) fn are_one_search(&mut self, begin: usize, behind: usize) {
+        for written in &mut self.written[begin..] {
+            (written.search, written.behind) = (Some(self.keys), behind);
+        }
         self.keys += 1;
-        self.keys - 1
     }
 
     /// Remembers the joint of a group that is a slide of the drawing: see [`GroupFrames::slide_found`].
@@ -158,13 +136,9 @@ impl<'b, 't> Writer<'b, 't> {
         }
     }
 
-    /// Puts a statement behind one of the drawing.
-    pub(in crate::model::drawn) fn put(&mut self, behind: usize, kind: StatementKind) {
-        self.written.push(Written {
-            behind,
-            search: None,
-            statement: Statement { docs: Vec::new(), kind },
-        });
+    /// Puts an item behind a statement of the drawing.
+    pub(in crate::model::drawn) fn put(&mut self, behind: usize, made: MadeItem) {
+        self.written.push(Written { behind, search: None, source: Source::MadeItem(made) });
     }
 
     /// The last statement of links and a drive.
@@ -192,10 +166,15 @@ impl<'b, 't> Writer<'b, 't> {
 
     /// The value of a drive, negative where the body is the one that it is driven against; without a
     /// drive the unknown.
-    pub(in crate::model::drawn) fn value(&self, drive: Option<usize>, body: usize) -> Expr {
+    pub(in crate::model::drawn) fn value(&self, drive: Option<usize>, body: usize) -> Figure {
         let Some(drive) = drive else { return self.unknown(body) };
-        let value = self.bodies.drives[drive].1.value.clone();
-        match self.bodies.machine.drives[drive].bodies[0] == body {
+        let driving = &self.bodies.machine.drives[drive];
+        let dimension = match driving.kind {
+            Driven::Angle => Dimension::ANGLE,
+            Driven::Slide(_) => Dimension::LENGTH,
+        };
+        let value = Figure::written(self.bodies.drives[drive].1.value.clone(), Some(dimension));
+        match driving.bodies[0] == body {
             true => value,
             false => value.negated(),
         }
@@ -204,36 +183,31 @@ impl<'b, 't> Writer<'b, 't> {
     /// Links that are parts of the ground, as cranks that stand still.
     pub(in crate::model::drawn) fn fixed_links(&mut self) {
         for &body in &self.bodies.fixed {
-            let axis = &self.bodies.frames[body].axis;
             let pivot = self.bodies.machine.bodies[body].given.as_ref().map(|given| given.pins[0]);
             let Some(pivot) = pivot else { continue };
-            let angle = self.frames.pen.at(self.frames.name(body).span()).angle(axis).text;
-            let fields = vec![("angle", GroupFieldValue::One(angle))];
+            let angle = Some(Figure::angle_of(&self.bodies.frames[body].axis));
+            let given = GroupNumbers { angle, ..GroupNumbers::default() };
             let legs =
                 [(body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone())];
-            self.group("crank", &legs, None, fields, None);
+            self.group("crank", &legs, None, given, None);
             self.settle_about(body, pivot, self.bodies.drawn_angle(body));
         }
     }
 
     fn crank(&mut self, drive: Option<usize>, body: usize, reference: usize, pivot: usize) {
-        let angle = self.value(drive, body);
-        let mut fields = Vec::new();
         let pins = &self.bodies.link(body).pins;
         let tip = match (pins.first() == Some(&pivot), pins.get(1)) {
             (true, Some(&tip)) if !self.made[tip] => Some(tip),
             _ => None,
         };
-        if let Some(tip) = tip {
-            fields.push(("length", GroupFieldValue::One(self.frames.length(body, pivot, tip))));
-        }
-        fields.push(("angle", GroupFieldValue::One(angle)));
-        if reference != GROUND {
-            let name = named(self.frames.name(reference));
-            fields.push(("relative_to", GroupFieldValue::One(name)));
-        }
+        let given = GroupNumbers {
+            lengths: tip.map(|tip| self.frames.length(body, pivot, tip)).into_iter().collect(),
+            angle: Some(self.value(drive, body)),
+            relative_to: self.turns_against(reference),
+            ..GroupNumbers::default()
+        };
         let legs = [(body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone())];
-        self.group("crank", &legs, tip, fields, drive);
+        self.group("crank", &legs, tip, given, drive);
         let counted = match drive {
             Some(drive) => self.frames.counted_by_drives(&[[drive, body]], reference),
             None => self.bodies.drawn_angle(body),
@@ -249,30 +223,34 @@ impl<'b, 't> Writer<'b, 't> {
         }
     }
 
+    /// The link that an angle is measured from; none for the ground.
+    pub(in crate::model::drawn) fn turns_against(&self, reference: usize) -> Option<Ident> {
+        (reference != GROUND).then(|| self.frames.name(reference).clone())
+    }
+
     fn dyad(&mut self, dyad: &Dyad) {
-        let sign = sine(&self.bodies.machine, dyad);
+        let mode = Some(mode_of(&self.bodies.machine, dyad));
         let joints = (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer);
         match joints {
             (Pair::Pin(u), Pair::Pin(v), Pair::Pin(w)) => {
                 let bars = [(0, u), (1, w)].map(|(leg, pin)| self.bar(&dyad.legs[leg], [pin, v]));
-                let lengths = bars.each_ref().map(DrawnBar::length);
+                let lengths = bars.each_ref().map(|bar| bar.length.clone());
                 self.links.parallels.extend(parallel(self.bodies, [u, v, w]));
-                let mode = self.mode(dyad.legs[0].bodies[0], side(sign));
-                let fields = vec![("lengths", GroupFieldValue::Pair(lengths)), mode];
-                let names = bars.each_ref().map(|bar| self.bar_name(bar));
-                self.write_named(dyad, names, Some(v), fields);
+                let given =
+                    GroupNumbers { lengths: lengths.into(), mode, ..GroupNumbers::default() };
+                let names = bars.each_ref().map(|bar| bar.name.clone());
+                self.write_named(dyad, names, Some(v), given);
                 bars.into_iter().for_each(|bar| self.settle_bar(bar));
             }
             (Pair::Pin(u), Pair::Pin(v), Pair::Slide(s)) => {
-                let [body, block] = self.bars(dyad);
+                let [_, block] = self.bars(dyad);
                 let guide = self.frames.guide_of(s);
                 let bar = self.bar(&dyad.legs[0], [u, v]);
-                let mut fields = vec![("length", GroupFieldValue::One(bar.length()))];
-                let offset = self.frames.offset(guide, v);
-                fields.extend(given(offset));
-                fields.push(self.mode(body, sense(sign)));
-                let names = [self.bar_name(&bar), self.frames.name(block).clone()];
-                self.write_named(dyad, names, Some(v), fields);
+                let (lengths, offsets) =
+                    (vec![bar.length.clone()], offsets([self.frames.offset(guide, v)]));
+                let given = GroupNumbers { lengths, offsets, mode, ..GroupNumbers::default() };
+                let names = [bar.name.clone(), self.frames.name(block).clone()];
+                self.write_named(dyad, names, Some(v), given);
                 self.settle_bar(bar);
                 self.block_on_rail(s, block, v);
                 self.slide_is_made(s, block, None);
@@ -281,12 +259,10 @@ impl<'b, 't> Writer<'b, 't> {
                 let [block, bar] = self.bars(dyad);
                 let guide = self.frames.guide_of(s);
                 let line = &self.bodies.guides[guide].line;
-                let from_bar = self.frames.pen.minus(self.frames.place(u), self.frames.place(w));
-                let [_, offset] = self.frames.pen.seen_from(&line.along, &from_bar);
-                let mut fields = Vec::new();
-                fields.extend(given(offset));
-                fields.push(self.mode(block, sense(sign)));
-                self.write(dyad, None, fields);
+                let from_bar = figures::minus(self.frames.place(u), self.frames.place(w));
+                let [_, offset] = figures::seen_from(&line.along, &from_bar);
+                let offsets = offsets([offset]);
+                self.write(dyad, None, GroupNumbers { offsets, mode, ..GroupNumbers::default() });
                 let counted = self.frames.uncounted(bar, &line.along);
                 self.block_is_placed(block, u, (guide, counted));
                 self.block_is_placed(bar, w, (guide, counted));
@@ -296,9 +272,8 @@ impl<'b, 't> Writer<'b, 't> {
             (Pair::Slide(s), Pair::Pin(v), Pair::Slide(t)) => {
                 let [a, b] = self.bars(dyad);
                 let guides = [self.frames.guide_of(s), self.frames.guide_of(t)];
-                let offsets = guides.map(|guide| self.frames.offset(guide, v));
-                let fields = self.offsets(offsets);
-                self.write(dyad, Some(v), fields);
+                let offsets = offsets(guides.map(|guide| self.frames.offset(guide, v)));
+                self.write(dyad, Some(v), GroupNumbers { offsets, ..GroupNumbers::default() });
                 self.block_on_rail(s, a, v);
                 self.block_on_rail(t, b, v);
                 self.slide_is_made(s, a, None);
@@ -314,23 +289,14 @@ impl<'b, 't> Writer<'b, 't> {
         dyad.legs.each_ref().map(|leg| leg.bodies[0])
     }
 
-    pub(in crate::model::drawn) fn mode(
-        &self,
-        body: usize,
-        word: &str,
-    ) -> (&'static str, GroupFieldValue) {
-        let name = Ident::new(word, self.frames.name(body).span());
-        ("mode", GroupFieldValue::One(named(&name)))
-    }
-
     pub(in crate::model::drawn) fn write(
         &mut self,
         dyad: &Dyad,
         pin: Option<usize>,
-        fields: Vec<(&str, GroupFieldValue)>,
+        given: GroupNumbers,
     ) {
         let names = self.bars(dyad).map(|body| self.frames.name(body).clone());
-        self.write_named(dyad, names, pin, fields);
+        self.write_named(dyad, names, pin, given);
     }
 
     /// Writes a dyad whose legs have these names.
@@ -339,7 +305,7 @@ impl<'b, 't> Writer<'b, 't> {
         dyad: &Dyad,
         names: [Ident; 2],
         pin: Option<usize>,
-        fields: Vec<(&str, GroupFieldValue)>,
+        given: GroupNumbers,
     ) {
         let mut names = names.into_iter();
         let legs = dyad.legs.each_ref().map(|leg| {
@@ -350,7 +316,7 @@ impl<'b, 't> Writer<'b, 't> {
             let name = names.next().unwrap_or_else(|| self.frames.name(leg.bodies[0]).clone());
             (leg.bodies[0], name, joint)
         });
-        self.group(&dyad.letters(), &legs, pin, fields, None);
+        self.group(&dyad.letters(), &legs, pin, given, None);
     }
 
     pub(in crate::model::drawn) fn group(
@@ -358,38 +324,40 @@ impl<'b, 't> Writer<'b, 't> {
         keyword: &str,
         legs: &[(usize, Ident, Ident)],
         pin: Option<usize>,
-        fields: Vec<(&str, GroupFieldValue)>,
+        given: GroupNumbers,
         drive: Option<usize>,
     ) {
         let links = legs.iter().map(|(body, ..)| *body);
         let behind = self.behind(links, drive);
-        let legs: Vec<_> =
-            legs.iter().map(|(_, name, joint)| (name.clone(), joint.clone())).collect();
+        let legs = legs.iter().map(|(_, name, joint)| [name.clone(), joint.clone()]).collect();
         let pin = pin.map(|pin| {
             self.made[pin] = true;
             self.bodies.pins[pin].name.clone()
         });
-        for (link, joint) in &legs {
-            [Some(joint), pin.as_ref()]
-                .into_iter()
-                .flatten()
-                .for_each(|at| self.frames.turns.join(link, at));
+        self.put_group(behind, keyword, legs, pin, given);
+    }
+
+    /// Puts a group, whose links have their joints and its pin.
+    pub(in crate::model::drawn) fn put_group(
+        &mut self,
+        behind: usize,
+        keyword: &str,
+        legs: Vec<[Ident; 2]>,
+        pin: Option<Ident>,
+        given: GroupNumbers,
+    ) {
+        for [link, joint] in &legs {
+            [joint].into_iter().chain(&pin).for_each(|at| self.frames.join(link, at));
         }
-        let group = group_of(keyword, legs, pin, fields);
-        self.put(behind, StatementKind::Group(group));
+        let Some(anatomy) = GroupSpec::of(keyword) else { return };
+        self.put(behind, made_group(anatomy, legs, pin, given));
     }
 }
 
-/// The field `offset`, none where it is zero.
-pub(in crate::model::drawn) fn given(offset: Figure) -> Option<(&'static str, GroupFieldValue)> {
-    (!offset.is_zero()).then_some(("offset", GroupFieldValue::One(offset.text)))
-}
-
-/// The mode of a group between bars.
-pub(in crate::model::drawn) fn side(sign: f64) -> &'static str {
-    if sign > 0.0 { "left" } else { "right" }
-}
-
-fn sense(sign: f64) -> &'static str {
-    if sign > 0.0 { "ahead" } else { "behind" }
+/// Offsets, none where all are zero.
+pub(in crate::model::drawn) fn offsets<const N: usize>(offsets: [Figure; N]) -> Vec<Figure> {
+    match offsets.iter().all(Figure::is_zero) {
+        true => Vec::new(),
+        false => offsets.into(),
+    }
 }
