@@ -250,8 +250,13 @@ pub(super) fn plus(a: &[Figure; 2], b: &[Figure; 2]) -> [Figure; 2] {
 
 /// The vector of a length along a direction.
 pub(super) fn along(length: &Figure, direction: &[Figure; 2]) -> [Figure; 2] {
+    unit_vector(direction).map(|part| length.times(&part))
+}
+
+/// The vector of length one in a direction.
+pub(super) fn unit_vector(direction: &[Figure; 2]) -> [Figure; 2] {
     let size = size(direction);
-    direction.each_ref().map(|part| length.times(&part.over(&size)))
+    direction.each_ref().map(|part| part.over(&size))
 }
 
 pub(super) fn size(a: &[Figure; 2]) -> Figure {

@@ -65,9 +65,7 @@ impl<'t> GroupFrames<'_, 't> {
             }
             () => {
                 let along = own.local_direction(&written.axis);
-                let size = figures::size(&along);
-                let axis = along.each_ref().map(|part| part.over(&size));
-                (Some(Figure::turn_of(&along, counted)), axis)
+                (Some(Figure::turn_of(&along, counted)), figures::unit_vector(&along))
             }
         };
         let origin = match (length, written.points) {

@@ -133,8 +133,8 @@ impl Writer<'_, '_> {
             mode: Some(mode_of(&self.bodies.machine, dyad)),
             ..GroupNumbers::default()
         };
-        let first = (a, self.frames.name(a).clone(), self.bodies.pins[u].name.clone());
-        self.group(&dyad.letters(), &[first, (b, shifted.clone(), at)], Some(v), given, None);
+        let legs = vec![self.leg(a, u), [shifted.clone(), at]];
+        self.group(&dyad.letters(), (&[a, b], None), legs, Some(v), given);
         self.bar_is_placed(a, u, v);
         self.is_a_bar(a, [u, v]);
         dyad.carried.iter().for_each(|carried| self.carried_link(carried));
@@ -157,7 +157,7 @@ impl Writer<'_, '_> {
         self.hide(name.clone(), &[body]);
         let drive = carried.drives.first().map(|[drive, _]| *drive);
         let given = self.angle_by_drives(carried);
-        self.group("crank", &[(body, name.clone(), at.clone())], None, given, drive);
+        self.group("crank", (&[body], drive), vec![[name.clone(), at.clone()]], None, given);
         let frame = &self.bodies.frames[body];
         let back = figures::minus(self.frames.place(from), self.frames.place(to));
         let local = match (self.bodies.link(body).declared_length(), frame.points) {
@@ -184,8 +184,7 @@ impl Writer<'_, '_> {
         }
         let given = self.angle_by_drives(carried);
         let drive = carried.drives.first().map(|[drive, _]| *drive);
-        let leg = (body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone());
-        self.group("crank", &[leg], None, given, drive);
+        self.group("crank", (&[body], drive), vec![self.leg(body, pivot)], None, given);
         let counted = self.frames.counted_by_drives(&carried.drives, carried.reference);
         self.settle_about(body, pivot, counted);
     }
@@ -204,8 +203,8 @@ impl Writer<'_, '_> {
             relative_to: Some(shifted.clone()),
             ..GroupNumbers::default()
         };
-        let leg = [self.frames.name(body).clone(), self.bodies.pins[from].name.clone()];
-        self.put_group(self.bodies.link(body).statement, "crank", vec![leg], None, given);
+        let legs = vec![self.leg(body, from)];
+        self.put_group(self.bodies.link(body).statement, "crank", legs, None, given);
         self.bar_is_placed(body, from, to);
         self.pin_is_elsewhere(body, to);
     }

@@ -138,11 +138,9 @@ impl Writer<'_, '_> {
             }
             (Some(length), Some([near, far])) => {
                 let along = figures::minus(self.frames.place(far), self.frames.place(near));
-                let along = frame.local_direction(&along);
-                let size = figures::size(&along);
                 let axis = match frame.points {
                     Heading::Pins(from, to) if [from, to] == [near, far] => figures::x_axis(),
-                    _ => along.map(|part| part.over(&size)),
+                    _ => figures::unit_vector(&frame.local_direction(&along)),
                 };
                 self.frames.near_end(length, &axis)
             }

@@ -47,8 +47,8 @@ impl Writer<'_, '_> {
         };
         let rail = self.rail(slide, body);
         let new = pin.filter(|&pin| !self.made[pin]);
-        let name = self.frames.name(body).clone();
-        self.group("slider", &[(body, name, rail)], new, given, drive);
+        let legs = vec![[self.frames.name(body).clone(), rail]];
+        self.group("slider", (&[body], drive), legs, new, given);
         let line = &self.bodies.guides[guide].line;
         let (axis, points) = (line.along.clone(), line.points);
         let written = self.bodies.frames[body].clone();

@@ -187,9 +187,7 @@ impl<'b, 't> Writer<'b, 't> {
             let Some(pivot) = pivot else { continue };
             let angle = Some(Figure::angle_of(&self.bodies.frames[body].axis));
             let given = GroupNumbers { angle, ..GroupNumbers::default() };
-            let legs =
-                [(body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone())];
-            self.group("crank", &legs, None, given, None);
+            self.group("crank", (&[body], None), vec![self.leg(body, pivot)], None, given);
             self.settle_about(body, pivot, self.bodies.drawn_angle(body));
         }
     }
@@ -206,8 +204,7 @@ impl<'b, 't> Writer<'b, 't> {
             relative_to: self.turns_against(reference),
             ..GroupNumbers::default()
         };
-        let legs = [(body, self.frames.name(body).clone(), self.bodies.pins[pivot].name.clone())];
-        self.group("crank", &legs, tip, given, drive);
+        self.group("crank", (&[body], drive), vec![self.leg(body, pivot)], tip, given);
         let counted = match drive {
             Some(drive) => self.frames.counted_by_drives(&[[drive, body]], reference),
             None => self.bodies.drawn_angle(body),
@@ -307,29 +304,29 @@ impl<'b, 't> Writer<'b, 't> {
         pin: Option<usize>,
         given: GroupNumbers,
     ) {
-        let mut names = names.into_iter();
-        let legs = dyad.legs.each_ref().map(|leg| {
-            let joint = match leg.outer {
-                Pair::Pin(pin) => self.bodies.pins[pin].name.clone(),
-                Pair::Slide(slide) => self.rail(slide, leg.bodies[0]),
-            };
-            let name = names.next().unwrap_or_else(|| self.frames.name(leg.bodies[0]).clone());
-            (leg.bodies[0], name, joint)
+        let joints = dyad.legs.each_ref().map(|leg| match leg.outer {
+            Pair::Pin(pin) => self.bodies.pins[pin].name.clone(),
+            Pair::Slide(slide) => self.rail(slide, leg.bodies[0]),
         });
-        self.group(&dyad.letters(), &legs, pin, given, None);
+        let legs = names.into_iter().zip(joints).map(|(name, joint)| [name, joint]).collect();
+        self.group(&dyad.letters(), (&self.bars(dyad), None), legs, pin, given);
     }
 
-    pub(in crate::model::drawn) fn group(
+    /// A link at a pin.
+    pub(super) fn leg(&self, body: usize, pin: usize) -> [Ident; 2] {
+        [self.frames.name(body).clone(), self.bodies.pins[pin].name.clone()]
+    }
+
+    /// Puts a group behind the statements of its links and its drive.
+    pub(super) fn group(
         &mut self,
         keyword: &str,
-        legs: &[(usize, Ident, Ident)],
+        (links, drive): (&[usize], Option<usize>),
+        legs: Vec<[Ident; 2]>,
         pin: Option<usize>,
         given: GroupNumbers,
-        drive: Option<usize>,
     ) {
-        let links = legs.iter().map(|(body, ..)| *body);
-        let behind = self.behind(links, drive);
-        let legs = legs.iter().map(|(_, name, joint)| [name.clone(), joint.clone()]).collect();
+        let behind = self.behind(links.iter().copied(), drive);
         let pin = pin.map(|pin| {
             self.made[pin] = true;
             self.bodies.pins[pin].name.clone()
