@@ -1,6 +1,6 @@
 //! Expressions of the declaration as jets and angles.
 
-use crate::equations::forces::springs;
+use crate::equations::forces::elastic::springs;
 use crate::equations::functions::by_squaring;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;

@@ -108,6 +108,8 @@ pub(crate) struct Torque {
 pub(crate) struct Spring {
     pub name: Option<Ident>,
     pub docs: Vec<Attribute>,
+    /// The name in errors.
+    pub title: String,
     pub ends: Ends,
     pub stiffness: Magnitude,
     pub damping: Magnitude,
@@ -128,11 +130,20 @@ pub(crate) enum Ends {
 pub(crate) struct Stop {
     pub name: Option<Ident>,
     pub docs: Vec<Attribute>,
+    /// The name in errors.
+    pub title: String,
     pub of: Stopped,
     /// The lower end and the upper one.
     pub ends: [Scalar; 2],
     pub stiffness: Magnitude,
     pub damping: Magnitude,
+}
+
+/// A spring or a stop, by its place among its like.
+#[derive(Clone, Copy)]
+pub(crate) enum Elastic {
+    Spring(usize),
+    Stop(usize),
 }
 
 /// The motion that a stop ends.
@@ -301,8 +312,37 @@ impl Dynamics {
 
     /// True if nothing has mass and nothing acts.
     pub(crate) fn is_empty(&self) -> bool {
-        let Self { masses, forces, torques, springs, stops, .. } = self;
+        let Self { masses, forces, torques, .. } = self;
         let are_none = masses.is_empty() && forces.is_empty() && torques.is_empty();
-        are_none && springs.is_empty() && stops.is_empty()
+        are_none && !self.is_elastic()
+    }
+
+    /// True if something stores energy by how far it is pushed.
+    pub(super) fn is_elastic(&self) -> bool {
+        !self.springs.is_empty() || !self.stops.is_empty()
+    }
+
+    /// The titles of what is elastic.
+    pub(super) fn elastic_titles(&self) -> impl Iterator<Item = &str> {
+        let springs = self.springs.iter().map(|spring| spring.title.as_str());
+        springs.chain(self.stops.iter().map(|stop| stop.title.as_str()))
+    }
+
+    /// The place of a title among [`Self::elastic_titles`].
+    pub(super) fn elastic_place(&self, of: Elastic) -> usize {
+        match of {
+            Elastic::Spring(spring) => spring,
+            Elastic::Stop(stop) => self.springs.len() + stop,
+        }
+    }
+
+    /// The number and the name of all that is neither a body nor a spring nor a stop.
+    pub(crate) fn beside_bodies(&self) -> [(usize, &'static str); 4] {
+        [
+            (self.loads.len(), "load"),
+            (self.forces.len(), "force"),
+            (self.torques.len(), "torque"),
+            (self.frictions.len(), "friction that follows the load of its joint"),
+        ]
     }
 }

@@ -95,7 +95,7 @@ pub(super) fn effort_named(
 pub(super) fn output_of_the_whole(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident) -> bool {
     let dynamics = &scope.mechanism.dynamics;
     let has_mass = !dynamics.masses.is_empty();
-    let has_spring = !dynamics.springs.is_empty() || !dynamics.stops.is_empty();
+    let has_spring = dynamics.is_elastic();
     match name.to_string().as_str() {
         "energy" if has_mass || has_spring || named_efforts::a_force_may_be_unread(scope) => {
             if std::mem::replace(&mut scope.mechanism.dynamics.energy, true) {
@@ -251,8 +251,7 @@ pub(super) fn forces_of(scope: &Scope<'_>, owner: &Ident) -> Option<String> {
 /// Every drive and reaction, where anything has mass or acts.
 pub(super) fn every_effort_is_given(scope: &mut Scope<'_>) {
     let dynamics = &mut scope.mechanism.dynamics;
-    let has_spring = !dynamics.springs.is_empty() || !dynamics.stops.is_empty();
-    dynamics.energy = !dynamics.masses.is_empty() || has_spring;
+    dynamics.energy = !dynamics.masses.is_empty() || dynamics.is_elastic();
     if dynamics.is_empty() {
         return;
     }

@@ -5,7 +5,7 @@ use syn::ext::IdentExt;
 
 use crate::function::Function;
 
-use super::acting::{Contact, Ends, Force, Spring};
+use super::acting::{Contact, Elastic, Ends, Force};
 use super::mechanism::{Carrier, LinkId, Mechanism, OutputKind, PointId, Unknown};
 
 /// `BC`, or `BC against DE`.
@@ -15,24 +15,20 @@ fn pole_title(links: &[(LinkId, Ident)]) -> String {
 }
 
 impl Mechanism {
-    /// Titles for errors, in this order: groups, springs, stops, forces, inputs, functions, the load that drives, poles. A spring, a stop or a
-    /// force between two points has no direction where they meet; an input may move no mass; a function may
-    /// need a number above zero; a load may do no work on the input that it drives; a link may
-    /// not turn, and has no pole.
+    /// Titles for errors, in this order: groups, what is elastic, forces, inputs, functions, the load that drives, poles.
+    /// A spring, a stop or a force between two points has no direction where they meet; an input may move no mass; a
+    /// function may need a number above zero; a load may do no work on the input that it drives; a link may not turn, and
+    /// has no pole.
     pub(crate) fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
-        let springs = self.dynamics.springs.iter().map(|spring| self.spring_title(spring));
+        let elastic = self.dynamics.elastic_titles().map(str::to_string);
         let forces = self.dynamics.forces.iter().map(|force| match force {
             Force::Between { points, .. } => format!("force {}", self.pair(*points)),
             Force::At { .. } => String::new(),
         });
         let inputs = self.inputs.iter().map(|input| input.name.to_string());
         let functions = Function::names().map(str::to_string);
-        let stops = self.dynamics.stops.iter().map(|stop| match &stop.name {
-            Some(name) => format!("stop {name}"),
-            None => "stop".to_string(),
-        });
-        let acting = springs.chain(stops).chain(forces);
+        let acting = elastic.chain(forces);
         let driving = self.dynamics.driven().map(|(input, load)| {
             format!("drive {} by {}", self.inputs[input.index()].name, load.name)
         });
@@ -83,14 +79,11 @@ impl Mechanism {
         self.title_of_force(0) + forces + input as u32
     }
 
-    fn spring_title(&self, spring: &Spring) -> String {
-        match (&spring.name, spring.ends) {
-            (Some(name), _) => format!("spring {name}"),
-            (None, Ends::Points(points)) => format!("spring {}", self.pair(points)),
-            (None, Ends::Bodies(bodies)) => {
-                let [first, second] = bodies.map(|body| self.body_name(body));
-                format!("spring {first}, {second}")
-            }
+    /// The ends of a spring: `B, C`.
+    pub(super) fn both(&self, ends: Ends) -> String {
+        match ends {
+            Ends::Points(points) => self.pair(points),
+            Ends::Bodies(bodies) => bodies.map(|body| self.body_name(body)).join(", "),
         }
     }
 
@@ -120,18 +113,13 @@ impl Mechanism {
         }
     }
 
-    /// The number of a spring's title among [`Self::titles`].
-    pub(crate) fn title_of_spring(&self, spring: usize) -> u32 {
-        (self.groups.len() + spring) as u32
-    }
-
-    /// The number of a stop's title among [`Self::titles`].
-    pub(crate) fn title_of_stop(&self, stop: usize) -> u32 {
-        self.title_of_spring(self.dynamics.springs.len()) + stop as u32
+    /// The number of the title of a spring or a stop among [`Self::titles`].
+    pub(crate) fn title_of(&self, elastic: Elastic) -> u32 {
+        (self.groups.len() + self.dynamics.elastic_place(elastic)) as u32
     }
 
     /// The number of a force's title among [`Self::titles`].
     pub(crate) fn title_of_force(&self, force: usize) -> u32 {
-        self.title_of_stop(self.dynamics.stops.len()) + force as u32
+        (self.groups.len() + self.dynamics.elastic_titles().count() + force) as u32
     }
 }

@@ -330,14 +330,8 @@ impl<'a> Made<'a> {
 
     /// The statements that say what no body has.
     fn left_out(&self) -> Vec<String> {
-        let dynamics = &self.mechanism.dynamics;
-        let counts = [
-            (dynamics.loads.len(), "load"),
-            (dynamics.forces.len(), "force"),
-            (dynamics.torques.len(), "torque"),
-            (dynamics.frictions.len(), "friction that follows the load of its joint"),
-        ];
-        let told = counts.into_iter().filter(|(count, _)| *count > 0);
+        let counts = self.mechanism.dynamics.beside_bodies().into_iter();
+        let told = counts.filter(|(count, _)| *count > 0);
         told.map(|(count, what)| format!("{count} × {what}")).collect()
     }
 }

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use crate::equations::forces::elastic;
 use crate::equations::forces::provided::{Line, not_negative};
-use crate::equations::forces::{springs, stops};
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::{Frame, PointMotion};
@@ -199,9 +199,11 @@ fn between<'s>(mass: Sym<'s>, at_pin: Sym<'s>, [a_o, a_c]: [Vector<'s>; 2]) -> V
 
 /// A force that the declaration puts on a point, and the point.
 pub(super) fn applied<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
-    // Springs come first on the builder, and last in the list.
-    let springs = springs::forces(kinematics);
-    declared(kinematics).into_iter().chain(springs).chain(stops::forces(kinematics)).collect()
+    let mut elastic = elastic::EVERY.iter().map(|kind| (kind.forces)(kinematics));
+    // Springs come first on the builder, and behind these in the list.
+    let springs = elastic.next();
+    let declared = declared(kinematics).into_iter();
+    declared.chain(springs.into_iter().chain(elastic).flatten()).collect()
 }
 
 /// The same of the statements `force` alone.
@@ -239,9 +241,9 @@ pub(super) fn declared_by<'s>(
 /// A couple that the declaration puts on a body, and the body.
 pub(super) fn torques<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)> {
     // As of forces.
-    let couples = springs::couples(kinematics).into_iter().chain(stops::couples(kinematics));
+    let elastic = elastic::EVERY.map(|kind| (kind.couples)(kinematics)).concat();
     let torques = torques_by(kinematics.mechanism, &|value| kinematics.jet(value).value);
-    torques.into_iter().chain(couples).collect()
+    torques.into_iter().chain(elastic).collect()
 }
 
 /// The couples of the statements `torque` alone, with these numbers for their values.

@@ -1,9 +1,9 @@
 //! Forces: what acts on every link, and what that asks of the drives and joints.
 //!
 //! # What acts
-//! [`loads`] puts masses, weights, inertia and applied forces on the links, [`springs`] what stands
-//! between their points and between themselves, and [`stops`] what ends their motion. About a link's own outer
-//! joint O, at r = G − O fixed in the link,
+//! [`loads`] puts masses, weights, inertia and applied forces on the links, and [`elastic`] springs between their points
+//! and between themselves, and what ends their motion. About a link's own outer joint O, at r = G − O fixed in the
+//! link,
 //!
 //! ```text
 //! M_O = r × m (g − a_O) − J_O α      J_O = J + m r²
@@ -46,14 +46,13 @@
 
 mod drawn_slides;
 mod dynamics;
+pub(super) mod elastic;
 mod friction;
 mod loads;
 mod power;
 mod provided;
 mod pull;
 mod reduced;
-pub(super) mod springs;
-pub(super) mod stops;
 mod together;
 mod transmit;
 mod unit_rate;
@@ -61,6 +60,7 @@ mod walk;
 
 use std::collections::HashMap;
 
+use crate::equations::forces::elastic::{springs, stops};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Id;

@@ -16,9 +16,9 @@
 //! Where an equation fixes an unknown θ(q), what holds the equation does no work, and all of this
 //! stands. A drive at θ in place of one at q puts in the same power: it exerts τ/θ′.
 
+use crate::equations::forces::elastic::stops;
 use crate::equations::forces::loads::{Masses, applied, gravity, of_masses, torques};
 use crate::equations::forces::reduced::Reduced;
-use crate::equations::forces::stops;
 use crate::equations::forces::unit_rate::at_unit_rate;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::Sym;

@@ -8,10 +8,10 @@
 //!
 //! Shaking is inertia's alone: weight and applied forces are left out, and so is what holds the ground.
 
+use crate::equations::forces::elastic;
 use crate::equations::forces::loads::{Centre, Inertia, Masses, gravity, of_masses};
 use crate::equations::forces::reduced::Reduced;
 use crate::equations::forces::unit_rate::at_unit_rate;
-use crate::equations::forces::{springs, stops};
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;
 use crate::equations::symbol::{Sym, Vector};
@@ -28,7 +28,8 @@ pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> [Sym<'s>; 2] {
     };
     let lifted = moments(kinematics, kinematics.builder.integer(1))[0].dot(gravity(kinematics));
     let kinetic = kinetic.half();
-    let stored = springs::energy(kinematics) + stops::energy(kinematics);
+    let [first, rest @ ..] = elastic::EVERY.map(|kind| (kind.energy)(kinematics));
+    let stored = rest.into_iter().fold(first, |sum, energy| sum + energy);
     [kinetic, stored - lifted]
 }
 

@@ -6,10 +6,11 @@ mod steps;
 use std::cell::OnceCell;
 use std::collections::HashMap;
 
+use crate::equations::forces::elastic::{springs, stops};
 use crate::equations::forces::loads::{
     self, Masses, MovingPlace, applied, gravity, of_masses, torques,
 };
-use crate::equations::forces::{springs, stops, together};
+use crate::equations::forces::together;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::motion::Frame;

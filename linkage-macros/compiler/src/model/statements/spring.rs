@@ -63,9 +63,10 @@ impl Rules for SpringStatement {
             false => Ends::Points([PointId(0); 2]),
         };
         let [stiffness, damping, free] = [(); 3].map(|()| Magnitude::zero());
-        let (name, docs) = (Some(name.clone()), docs.to_vec());
+        let (title, name, docs) =
+            (self.title(&name.to_string()), Some(name.clone()), docs.to_vec());
         let springs = &mut scope.mechanism.dynamics.springs;
-        springs.push(Spring { name, docs, ends, stiffness, damping, free });
+        springs.push(Spring { name, docs, title, ends, stiffness, damping, free });
         Some(Entity::Spring(SpringId(springs.len() as u32 - 1)))
     }
 }
@@ -84,9 +85,18 @@ fn spring(
         false => straight_spring(scope, ends, fields),
     };
     if let (true, Some(spring)) = (is_new, spring) {
+        let known = match name {
+            Some(name) => name.to_string(),
+            None => scope.mechanism.both(spring.ends),
+        };
         let springs = &mut scope.mechanism.dynamics.springs;
         let id = SpringId(springs.len() as u32);
-        springs.push(Spring { name: name.clone(), docs: docs.to_vec(), ..spring });
+        springs.push(Spring {
+            name: name.clone(),
+            docs: docs.to_vec(),
+            title: format!("spring {known}"),
+            ..spring
+        });
         name.iter().for_each(|name| scope.names.bind(name, Entity::Spring(id)));
     }
 }
@@ -135,6 +145,7 @@ fn straight_spring(
     let spring = Spring {
         name: None,
         docs: Vec::new(),
+        title: String::new(),
         ends: Ends::Points(ends?),
         stiffness: stiffness?,
         damping: damping?,
@@ -180,6 +191,7 @@ fn torsion_spring(
     Some(Spring {
         name: None,
         docs: Vec::new(),
+        title: String::new(),
         ends: Ends::Bodies(ends?),
         stiffness: stiffness?,
         damping: damping?,

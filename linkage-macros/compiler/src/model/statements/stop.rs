@@ -45,9 +45,10 @@ impl Rules for StopStatement {
         let of = Stopped::Angle(AngleSum { links: Vec::new(), rest: Scalar::zero() });
         let ends = [(); 2].map(|()| Scalar::zero());
         let [stiffness, damping] = [(); 2].map(|()| Magnitude::zero());
-        let (name, docs) = (Some(name.clone()), docs.to_vec());
+        let (title, name, docs) =
+            (self.title(&name.to_string()), Some(name.clone()), docs.to_vec());
         let stops = &mut scope.mechanism.dynamics.stops;
-        stops.push(Stop { name, docs, of, ends, stiffness, damping });
+        stops.push(Stop { name, docs, title, of, ends, stiffness, damping });
         Some(Entity::Stop(StopId(stops.len() as u32 - 1)))
     }
 }
@@ -85,6 +86,7 @@ fn stop_of(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) -
     Some(Stop {
         name: written.name.clone(),
         docs: docs.to_vec(),
+        title: written.name.iter().fold("stop".to_string(), |stop, name| format!("{stop} {name}")),
         of,
         ends: ends?,
         stiffness: stiffness?,

@@ -28,7 +28,7 @@ use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::model::acting::{Ends, Spring};
+use crate::model::acting::{Elastic, Ends, Spring};
 use crate::model::mechanism::{AngleSum, Carrier, LinkId, PointId, SpringId};
 
 /// Stiffness, damping, and the length or angle at which it is slack.
@@ -41,7 +41,7 @@ struct Numbers<'s> {
 fn numbers<'s>(kinematics: &Kinematics<'s>, index: usize) -> Numbers<'s> {
     let mechanism = kinematics.mechanism;
     let Spring { stiffness, damping, free, ends, .. } = &mechanism.dynamics.springs[index];
-    let title = mechanism.title_of_spring(index);
+    let title = mechanism.title_of(Elastic::Spring(index));
     Numbers {
         stiffness: not_negative(kinematics, stiffness, title),
         damping: not_negative(kinematics, damping, title),
@@ -105,7 +105,7 @@ fn force<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) ->
 }
 
 fn line<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> Line<'s> {
-    Line::between(kinematics, points, kinematics.mechanism.title_of_spring(index))
+    Line::between(kinematics, points, kinematics.mechanism.title_of(Elastic::Spring(index)))
 }
 
 /// Force that pushes the ends apart.
@@ -147,7 +147,10 @@ fn couple<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
 }
 
 /// Effort of the spring: a push or a couple.
-pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
+pub(in crate::equations::forces) fn effort<'s>(
+    kinematics: &Kinematics<'s>,
+    index: usize,
+) -> Sym<'s> {
     match kinematics.mechanism.dynamics.springs[index].ends {
         Ends::Points(points) => push(kinematics, index, points),
         Ends::Bodies(_) => couple(kinematics, index),

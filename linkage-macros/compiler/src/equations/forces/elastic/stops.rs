@@ -17,13 +17,13 @@
 //! K. H. Hunt, F. R. E. Crossley, Coefficient of restitution interpreted as damping in vibroimpact, J. Appl.
 //! Mech. 42 (1975), on linear dampers that would pull at the end of a contact.
 
+use crate::equations::forces::elastic::springs::turned_from;
 use crate::equations::forces::provided::{Line, not_negative};
-use crate::equations::forces::springs::turned_from;
 use crate::equations::jet::Jet;
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Check;
-use crate::model::acting::{Stop, Stopped};
+use crate::model::acting::{Elastic, Stop, Stopped};
 use crate::model::mechanism::{Carrier, LinkId, PointId};
 
 /// The name in errors of what lies between the ends, which is not negative.
@@ -41,7 +41,8 @@ struct StopContact<'s> {
 impl<'s> StopContact<'s> {
     fn of(kinematics: &Kinematics<'s>, index: usize) -> Self {
         let mechanism = kinematics.mechanism;
-        let (stop, title) = (&mechanism.dynamics.stops[index], mechanism.title_of_stop(index));
+        let (stop, title) =
+            (&mechanism.dynamics.stops[index], mechanism.title_of(Elastic::Stop(index)));
         let [from, to] = kinematics.jets(&stop.ends).map(|end| end.value);
         let way = to - from;
         let way = match way.is_constant() {
@@ -82,16 +83,19 @@ impl<'s> StopContact<'s> {
 }
 
 fn line<'s>(kinematics: &Kinematics<'s>, index: usize, points: [PointId; 2]) -> Line<'s> {
-    Line::between(kinematics, points, kinematics.mechanism.title_of_stop(index))
+    Line::between(kinematics, points, kinematics.mechanism.title_of(Elastic::Stop(index)))
 }
 
 /// The effort of the stop, positive where it makes the motion larger.
-pub(super) fn effort<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
+pub(in crate::equations::forces) fn effort<'s>(
+    kinematics: &Kinematics<'s>,
+    index: usize,
+) -> Sym<'s> {
     StopContact::of(kinematics, index).effort(kinematics)
 }
 
 /// The way to the nearer end, negative beyond it.
-pub(super) fn gap<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
+pub(in crate::equations::forces) fn gap<'s>(kinematics: &Kinematics<'s>, index: usize) -> Sym<'s> {
     StopContact::of(kinematics, index).gap
 }
 
@@ -140,7 +144,9 @@ pub(super) fn couples<'s>(kinematics: &Kinematics<'s>) -> Vec<(Carrier, Sym<'s>)
 }
 
 /// Forces on links along their slides.
-pub(super) fn slides<'s>(kinematics: &Kinematics<'s>) -> Vec<(LinkId, Sym<'s>)> {
+pub(in crate::equations::forces) fn slides<'s>(
+    kinematics: &Kinematics<'s>,
+) -> Vec<(LinkId, Sym<'s>)> {
     let slides = stops(kinematics).filter_map(|(index, stop)| match stop.of {
         Stopped::Slide(link) => Some((link, effort(kinematics, index))),
         _ => None,
