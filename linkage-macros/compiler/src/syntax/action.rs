@@ -1,6 +1,19 @@
 //! Statements about forces: what has mass, what acts, and what a call is given of that.
 //!
-//! The quantity comes first, then its place; none of these statements declares a name but `load`.
+//! ```text
+//! action       `gravity` pair `;` | `load` NAME,* `:` KIND `;`
+//!            | `mass` expression `on` NAME (`at` (pair | POINT) | `uniform`)?
+//!                                            (`inertia` expression)? `;`
+//!            | `inertia` expression `on` LINK `;`
+//!            | `force` (pair (`in` NAME)? `on` POINT | expression `between` POINT `and` POINT) `;`
+//!            | `torque` expression (`on` LINK | `between` LINK `and` LINK) `;`
+//!            | `spring` NAME? `between` NAME `and` NAME `{` (FIELD `:` expression),* `}`
+//!            | `stop` NAME? expression `between` pair `{` (FIELD `:` expression),* `}`
+//!            | `friction` expression (`at` PIN | `on` LINK (`at` PIN)? | `between` NAME `and` NAME `at` PIN)
+//!                                    ((`radius` | `length` | `smooth`) expression)* `;`
+//! ```
+//!
+//! The quantity comes first, then its place; none of these statements declares a name but `load`, `spring` and `stop`.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenTree};
 

@@ -18,16 +18,7 @@
 //!                                        (`along` expression | `towards` POINT) `;`
 //!            | `point` NAME (`on` LINK)? `at` (pair | `polar` pair | `distances` pair SIDE) `;`
 //!            | WORD (LINK `(` JOINT `)`),* (`->` PIN)? `{` (FIELD `:` (expression | pair)),* `}`
-//!            | `gravity` pair `;` | `load` NAME,* `:` KIND `;`
-//!            | `mass` expression `on` NAME (`at` (pair | POINT) | `uniform`)?
-//!                                            (`inertia` expression)? `;`
-//!            | `inertia` expression `on` LINK `;`
-//!            | `force` (pair (`in` NAME)? `on` POINT | expression `between` POINT `and` POINT) `;`
-//!            | `torque` expression (`on` LINK | `between` LINK `and` LINK) `;`
-//!            | `spring` NAME? `between` NAME `and` NAME `{` (FIELD `:` expression),* `}`
-//!            | `stop` NAME? expression `between` pair `{` (FIELD `:` expression),* `}`
-//!            | `friction` expression (`at` PIN | `on` LINK (`at` PIN)? | `between` NAME `and` NAME `at` PIN)
-//!                                    ((`radius` | `length` | `smooth`) expression)* `;`
+//!            | action, as `action` has it
 //!            | `output` ((NAME `=`)? expression),* `;`
 //!            | `numerics` WORD `;` | `crate` `=` path `;` | `export` WORD `;`
 //! pair         `(` expression `,` expression `)`

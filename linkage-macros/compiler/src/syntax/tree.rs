@@ -115,36 +115,3 @@ impl StatementKind {
         matches!(self, Self::Action(Action::Force(_) | Action::ForceBetween(_)))
     }
 }
-
-/// `gravity`, `mass`, `inertia`, `force`, `torque`, `spring`, `friction` or `stop`.
-#[derive(Clone)]
-pub(crate) enum Action {
-    /// `gravity (0, -g);` and where it stands.
-    Gravity(GravityStatement),
-    /// `mass 2kg on BC at G inertia 0.1(kg*m^2);`
-    Mass(MassStatement),
-    /// `inertia J on AB;`
-    Inertia(InertiaStatement),
-    /// `force (0, -f) in BC on P;`
-    Force(ForceStatement),
-    /// `force f between P and Q;`
-    ForceBetween(ForceBetweenStatement),
-    /// `torque t on DC;`
-    Torque(TorqueStatement),
-    /// `torque t between AB and DC;`
-    TorqueBetween(TorqueBetweenStatement),
-    /// `spring shock between P and Q { stiffness: 15(N/m), free_length: 0.3m }`: two points, or two
-    /// bodies. Its fields are read like those of a group.
-    Spring(SpringStatement),
-    /// `friction 0.1 at C radius 8mm;`
-    Friction(FrictionStatement),
-    /// `stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }`
-    Stop(StopStatement),
-}
-
-impl Action {
-    /// True if something has mass or acts by it.
-    pub(crate) fn acts(&self) -> bool {
-        !matches!(self, Self::Gravity(_))
-    }
-}

@@ -4,6 +4,28 @@ use proc_macro2::{Ident, Span};
 
 use super::{Expr, GroupStatement};
 
+/// A mass or an action.
+#[derive(Clone)]
+pub(crate) enum Action {
+    Gravity(GravityStatement),
+    Mass(MassStatement),
+    Inertia(InertiaStatement),
+    Force(ForceStatement),
+    ForceBetween(ForceBetweenStatement),
+    Torque(TorqueStatement),
+    TorqueBetween(TorqueBetweenStatement),
+    Spring(SpringStatement),
+    Friction(FrictionStatement),
+    Stop(StopStatement),
+}
+
+impl Action {
+    /// True if something has mass or acts by it.
+    pub(crate) fn acts(&self) -> bool {
+        !matches!(self, Self::Gravity(_))
+    }
+}
+
 /// `load cut: force;`; without a kind only after a mistake.
 #[derive(Clone)]
 pub(crate) struct LoadStatement {
@@ -72,7 +94,8 @@ pub(crate) struct SpringStatement {
     pub fields: GroupStatement,
 }
 
-/// A stop, which may have a name; its fields are read like those of a group.
+/// `stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }`, with or without a name. Its fields are read like
+/// those of a group.
 #[derive(Clone)]
 pub(crate) struct StopStatement {
     pub name: Option<Ident>,
@@ -81,7 +104,7 @@ pub(crate) struct StopStatement {
     pub fields: GroupStatement,
 }
 
-/// Friction at a pin or a guide, and where its word stands.
+/// `friction 0.1 at C radius 8mm;`, at a pin or a guide, and where its word stands.
 #[derive(Clone)]
 pub(crate) struct FrictionStatement {
     pub at: Span,
