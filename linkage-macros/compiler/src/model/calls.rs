@@ -11,11 +11,9 @@ use crate::model::folding::shown;
 use crate::model::mechanism::Scalar;
 use crate::model::names::Kind;
 use crate::model::reads::{Allowed, Reads};
-use crate::model::resolved_expr::{
-    DISTANCE, OFFSET, POLE, RATE, Resolve, ResolvedExpr, bare_name, counted,
-};
+use crate::model::resolved_expr::{Resolve, ResolvedExpr, bare_name, counted};
 use crate::model::scope::Scope;
-use crate::model::{exponents, fits, readings};
+use crate::model::{exponents, fits, machine_functions, readings};
 
 pub(super) fn call(
     scope: &mut Scope<'_>,
@@ -102,15 +100,16 @@ fn member_as_a_function(scope: &mut Scope<'_>, name: &Ident, arguments: &[tree::
 fn function_exists(scope: &mut Scope<'_>, name: &Ident) {
     let text = name.to_string();
     let mut message = format!("no function named `{text}`");
-    let known = Function::names().chain([DISTANCE, OFFSET, RATE, POLE]);
+    let others = || machine_functions::all();
+    let known = Function::names().chain(others().map(|row| row.name));
     if let Some(near) = nearest(&text, known) {
         message += &format!("; a function with a similar name exists: `{near}`");
     }
-    let names: Vec<_> = Function::names().chain([DISTANCE, OFFSET]).collect();
-    let reason = format!(
-        "the functions are `{}`, and `{RATE}` in forces, torques and outputs, `{POLE}` in outputs",
-        names.join(" ")
-    );
+    let everywhere = others().filter(|row| row.stands_in.is_none()).map(|row| row.name);
+    let names: Vec<_> = Function::names().chain(everywhere).collect();
+    let limited = others().filter_map(|row| Some(format!("`{}` in {}", row.name, row.stands_in?)));
+    let limited: Vec<_> = limited.collect();
+    let reason = format!("the functions are `{}`, and {}", names.join(" "), limited.join(", "));
     scope.diagnostics.error_because(name.span(), message, reason);
 }
 

@@ -10,10 +10,10 @@ use crate::model::dimension::Measure;
 use crate::model::mechanism::{Dimension, LinkId, Operator, ParamKind, Scalar};
 use crate::model::names::{Entity, Kind, NUMBERS};
 use crate::model::reads::Allowed;
-use crate::model::resolved_expr::{ANGLE_REASON, DISTANCE, OFFSET, POLE, RATE, ResolvedExpr};
+use crate::model::resolved_expr::{ANGLE_REASON, ResolvedExpr};
 use crate::model::scope::Scope;
 use crate::model::{
-    calls, effort_formulas, laws, literals, loads_in_forces, poles, rates, readings, uses,
+    calls, effort_formulas, laws, literals, loads_in_forces, machine_functions, readings, uses,
 };
 
 /// Resolves an expression of a dimension, and reports every mistake in it.
@@ -53,17 +53,9 @@ pub(super) fn expression(
         }
         ExprKind::Chain(first, rest) => chain(scope, first, rest, allowed),
         ExprKind::Call(function, arguments) => {
-            let quantity = match () {
-                () if function == DISTANCE => readings::distance(scope, function, arguments),
-                () if function == OFFSET => readings::offset_from_guide(scope, function, arguments),
-                () if function == RATE => {
-                    rates::rate(scope, function, arguments, allowed, expression)
-                }
-                () if function == POLE => {
-                    poles::pole_is_a_point(scope, function, arguments);
-                    None
-                }
-                () => calls::call(scope, function, arguments, allowed, expression),
+            let quantity = match machine_functions::named(function) {
+                Some(row) => (row.resolve)(scope, function, arguments, allowed, expression),
+                None => calls::call(scope, function, arguments, allowed, expression),
             }?;
             literals::number_is_of_a_length(scope, expr.span, quantity.rest.constant())?;
             Some(quantity)

@@ -11,8 +11,8 @@
 //! | `dimension`, `units`, `expr`, `ids`, `mechanism`, `acting`, `effort` | the mechanism, as later phases read it |
 //! | `names`, `facts`, `figures`, `scope` | all that is declared so far |
 //! | `uses`, `declared`, `kinds`, `meant` | names where they are used, links and points where they are made |
-//! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `ratios`, `loads_in_forces`, `readings`, `expressions`, `numbers`, `told_numbers` | expressions, and numbers of drawings |
-//! | `effort_dimensions`, `driven_through`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given`, `poles` | efforts, and what is asked for |
+//! | `resolved_expr`, `fits`, `literals`, `calls`, `laws`, `rates`, `ratios`, `loads_in_forces`, `readings`, `poles`, `machine_functions`, `expressions`, `numbers`, `told_numbers` | expressions, and numbers of drawings |
+//! | `effort_dimensions`, `driven_through`, `named_efforts`, `link_efforts`, `dynamics_outputs`, `effort_formulas`, `given` | efforts, and what is asked for |
 //! | `fields`, `modes`, `same_expression`, `opposite_sides`, `jointed`, `assembly`, `coincidence` | what the groups share |
 //! | `statements` | a file a statement |
 //! | `items`, `begun`, `statement_walk`, `references`, `needs`, `order`, `unused`, `stub` | the whole declaration |
@@ -67,6 +67,7 @@ mod left_out;
 mod link_efforts;
 mod literals;
 mod loads_in_forces;
+mod machine_functions;
 mod meant;
 pub(crate) mod mechanism;
 pub(crate) mod modes;

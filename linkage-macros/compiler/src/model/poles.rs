@@ -1,34 +1,28 @@
 //! `pole(BC)`, `pole(BC, DE)`: instant centres, as outputs.
 
 use proc_macro2::Ident;
-use syn::Attribute;
 
 use crate::diagnostics::Diagnostics;
-use crate::syntax::tree::{Expr, ExprKind};
+use crate::syntax::tree::Expr;
 
 use crate::model::ids::LinkId;
 use crate::model::mechanism::{Mechanism, OutputKind};
 use crate::model::names::listed;
-use crate::model::resolved_expr::{POLE, bare_name, counted};
+use crate::model::resolved_expr::{ResolvedExpr, bare_name, counted};
 use crate::model::scope::Scope;
-use crate::model::{given, uses};
+use crate::model::uses;
 
-/// True for a call of `pole`.
-pub(in crate::model) fn is_pole(value: &Expr) -> bool {
-    matches!(&value.kind, ExprKind::Call(function, _) if function == POLE)
-}
+/// The function of one link or two, whose value is a point.
+pub(in crate::model) const POLE: &str = "pole";
 
 /// `output I = pole(BC);`
-pub(in crate::model) fn pole_output(
+pub(in crate::model) fn pole(
     scope: &mut Scope<'_>,
-    docs: &[Attribute],
-    name: &Ident,
-    value: &Expr,
-) {
-    let ExprKind::Call(function, arguments) = &value.kind else { return };
+    function: &Ident,
+    arguments: &[Expr],
+) -> Option<OutputKind> {
     let links = links(scope, function, arguments);
-    let (Some(links), Some(())) = (links, one_input_moves(scope, function)) else { return };
-    given::give(scope, name.span(), name.clone(), docs, OutputKind::Pole(links));
+    one_input_moves(scope, function).and(links).map(OutputKind::Pole)
 }
 
 /// The links of a pole: two different ones, or one and the ground.
@@ -100,12 +94,13 @@ pub(in crate::model) fn pole_is_a_point(
     scope: &mut Scope<'_>,
     function: &Ident,
     arguments: &[Expr],
-) {
+) -> Option<ResolvedExpr> {
     if links(scope, function, arguments).is_some() {
         let message = format!("a pole has a name; write `output I = {function}(…)`");
         let reason = "the result has `I.x` and `I.y`";
         scope.diagnostics.error_because(function.span(), message, reason);
     }
+    None
 }
 
 /// Reports the pole of links that keep their direction in every pose.

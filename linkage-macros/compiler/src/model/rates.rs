@@ -6,9 +6,12 @@ use crate::syntax::tree::{Expr, ExprKind};
 
 use crate::model::names::Kind;
 use crate::model::reads::Allowed;
-use crate::model::resolved_expr::{RATE, Resolve, ResolvedExpr, counted};
+use crate::model::resolved_expr::{Resolve, ResolvedExpr, counted};
 use crate::model::scope::Scope;
 use crate::model::{fits, laws, mechanism};
+
+/// The function that forces alone may depend on.
+pub(in crate::model) const RATE: &str = "rate";
 
 /// `rate(x)`: in forces, torques and outputs, of what moves.
 pub(in crate::model) fn rate(

@@ -27,18 +27,6 @@ pub(in crate::model) struct ResolvedExpr {
 pub(in crate::model) const ANGLE_REASON: &str = "a link's angle is known up to whole turns: it stands in \
      sums of angles, times an integer, because other ratios jump at ±π";
 
-/// The function of two points.
-pub(in crate::model) const DISTANCE: &str = "distance";
-
-/// The function of a point and a guide.
-pub(in crate::model) const OFFSET: &str = "offset";
-
-/// The function that forces alone may depend on.
-pub(in crate::model) const RATE: &str = "rate";
-
-/// The function of one link or two, whose value is a point.
-pub(in crate::model) const POLE: &str = "pole";
-
 /// "3 are", "1 is"
 pub(in crate::model) fn counted(count: usize) -> String {
     match count {

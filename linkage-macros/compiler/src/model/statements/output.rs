@@ -13,9 +13,9 @@ use crate::syntax::tree::{
 };
 
 use crate::model::link_efforts::MEMBERS;
+use crate::model::machine_functions::point_function;
 use crate::model::mechanism::{LinkId, OutputKind};
 use crate::model::names::{Entity, Kind};
-use crate::model::poles::{is_pole, pole_output};
 use crate::model::ratios::is_of_the_pose;
 use crate::model::reads::Allowed;
 use crate::model::resolved_expr::{ResolvedExpr, bare_name};
@@ -77,11 +77,6 @@ fn every_moving_thing_is_given(scope: &mut Scope<'_>) {
 pub(in crate::model) fn output(scope: &mut Scope<'_>, docs: &[Attribute], item: &OutputItem) {
     match (&item.name, &item.value.kind) {
         (Some(name), _) if item.renamed_at.is_some() => name_stands_in_front(scope, name, item),
-        (Some(name), _) if is_pole(&item.value) => {
-            if output_name_is_new(scope, name).is_some() {
-                pole_output(scope, docs, name, &item.value);
-            }
-        }
         (Some(name), _) => named_output(scope, docs, name, &item.value),
         (None, ExprKind::Name(name)) => whole_output(scope, docs, name),
         (None, ExprKind::Member(owner, member)) => {
@@ -100,9 +95,15 @@ pub(in crate::model) fn output(scope: &mut Scope<'_>, docs: &[Attribute], item: 
     }
 }
 
-/// `fold = BC.angle - DC.angle`
+/// `fold = BC.angle - DC.angle`, `I = pole(BC)`
 fn named_output(scope: &mut Scope<'_>, docs: &[Attribute], name: &Ident, value: &Expr) {
     let is_new = output_name_is_new(scope, name);
+    if let (Some(point), ExprKind::Call(function, arguments)) = (point_function(value), &value.kind)
+    {
+        let kind = is_new.and_then(|()| (point.output)(scope, function, arguments));
+        kind.into_iter().for_each(|kind| given::give(scope, name.span(), name.clone(), docs, kind));
+        return;
+    }
     let quantity = expressions::expression(scope, value, Allowed::IN_OUTPUTS);
     let (Some(quantity), Some(())) = (quantity, is_new) else { return };
     give_number(scope, (name, docs), value, quantity);

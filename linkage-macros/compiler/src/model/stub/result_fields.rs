@@ -7,9 +7,9 @@ use crate::syntax::tree::{self, Declaration, ExprKind, LetStatement, OutputItem,
 
 use crate::model::acting::{Effort, Formula};
 use crate::model::ids::FormulaId;
+use crate::model::machine_functions::point_function;
 use crate::model::mechanism::{AngleSum, DeclaredOutput, OutputKind, Scalar};
 use crate::model::names::Kind;
-use crate::model::poles::is_pole;
 use crate::model::rates::is_rate;
 use crate::model::ratios::is_a_quotient_of_rates;
 use crate::model::resolved_expr::bare_name;
@@ -26,8 +26,8 @@ pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, it
     if has_field(scope, name) || is_formula(scope, name) {
         return;
     }
-    let is_pole = is_pole(&item.value);
-    if !is_pole && reads_forces(scope, &item.value) && !is_a_quotient_of_rates(&item.value) {
+    let point = point_function(&item.value);
+    if point.is_none() && reads_forces(scope, &item.value) && !is_a_quotient_of_rates(&item.value) {
         let effort = Effort::Formula(FormulaId(scope.mechanism.dynamics.formulas.len() as u32));
         let formula = Formula { value: Scalar::zero(), dimension: NUMBER, reads: Vec::new() };
         scope.mechanism.dynamics.formulas.push(formula);
@@ -36,13 +36,13 @@ pub(super) fn named_output_of_stub(scope: &mut Scope<'_>, tree: &Declaration, it
     // A point under another name is a mistake, and its coordinates may be asked for.
     let whole =
         named.and_then(|value| scope.names.made(value)).and_then(|it| given::whole(scope, it));
-    let kind = match whole {
-        _ if is_pole => OutputKind::Pole(Vec::new()),
-        Some(output) => output.kind,
-        None if holds_angle(scope, tree, &item.value, tree.statements.len()) => {
+    let kind = match (point, whole) {
+        (Some(point), _) => (point.stand_in)(),
+        (None, Some(output)) => output.kind,
+        (None, None) if holds_angle(scope, tree, &item.value, tree.statements.len()) => {
             OutputKind::Angle(AngleSum { links: Vec::new(), rest: Scalar::zero() })
         }
-        None => number(),
+        (None, None) => number(),
     };
     scope.mechanism.outputs.push(DeclaredOutput { field: name.clone(), docs: Vec::new(), kind });
 }
