@@ -255,6 +255,18 @@ fn distances_that_do_not_meet_are_told() {
     }
 }
 
+/// A parameter may bring them together.
+#[test]
+fn distances_of_which_one_is_a_parameter_are_not_told() {
+    for distances in ["(a, 45mm)", "(30mm, a)"] {
+        let made = machine(&format!(
+            "pub struct M {{ input t: angle; param a = 40mm; ground A(0, 0), D(665.7mm, 0); pin B(80mm, 0), C(600mm, 360mm), P(570mm, 90mm);
+             link AB(A, B), BC(P, B, C), DC(D, C); drive AB.angle = t; point E on BC at distances {distances} left; }}"
+        ));
+        assert_eq!(made.err(), None, "{distances}");
+    }
+}
+
 const TRIAD: &str = "input t: angle; ground A(0, 0), D(3m, 0), F(1.5m, -1m);
     pin B(0.5m, 0.2m), C1(0.8m, 1m), C2(2m, 1.2m), C3(1.5m, 0.5m);
     link AB(A, B), bar1(B, C1), plate(C1, C2, C3), bar2(D, C2), bar3(F, C3); drive AB.angle = t; gravity (0, -9.81);";

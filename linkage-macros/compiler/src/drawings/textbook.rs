@@ -87,6 +87,28 @@ pub(super) fn the_groups_are_those_expected(case: &Case, found: Result<&Mechanis
     }
 }
 
+/// The code and the documentation of a machine.
+fn printed(statements: &str) -> String {
+    let tokens = format!("pub struct M {{ {statements} }}").parse().expect("these are tokens");
+    crate::pipeline::compile(tokens, &crate::pipeline::Options::default()).tokens.to_string()
+}
+
+/// A drive between two links pushes the first one against the second, whichever of them its group turns.
+#[test]
+fn docs_of_a_drive_name_both_of_its_links() {
+    for (drive, pushed, against) in
+        [("CE.angle - DC.angle = b", "CE", "DC"), ("DC.angle - CE.angle = -b", "DC", "CE")]
+    {
+        let text = printed(&format!(
+            "input a, b: angle; ground A(0, 0), D(4m, 0); pin B(0, 1m), C(3m, 2m), E(3.5m, 3m);
+             link AB(A, B), BC(B, C), DC(D, C), CE(C, E); drive AB.angle = a; drive {drive};
+             mass 1kg on CE uniform;"
+        ));
+        let told = format!("couple in N·m on `{pushed}`, exerted by its drive against `{against}`");
+        assert!(text.contains(&told), "no {told} in {text}");
+    }
+}
+
 /// Where a block stands in for a link that a search left out, the docs of forces name the link.
 #[test]
 fn docs_of_forces_name_links_that_are_drawn() {
@@ -94,9 +116,7 @@ fn docs_of_forces_name_links_that_are_drawn() {
                       pin B(-0.5, 0.6), P(0.8, 1.2), Q(3, 0.6), R(1.9, 3.1); \
                       link AB(A, B), BP(B, P), plate(P, Q, R), DQ(D, Q), ER(E, R); \
                       drive AB.angle = t; mass 2kg on plate at (0.5, 0.2);";
-    let tokens = format!("pub struct M {{ {statements} }}").parse().expect("these are tokens");
-    let text =
-        crate::pipeline::compile(tokens, &crate::pipeline::Options::default()).tokens.to_string();
+    let text = printed(statements);
     let others: Vec<_> = text.split("exerted by all that stand on it: ").skip(1).collect();
     assert!(!others.is_empty());
     for others in others {

@@ -116,3 +116,22 @@ fn a_coupling_that_contradicts_the_drawing_is_told_as_it_is_written() {
     let wanted = "`pinion` by `drive gear.angle` contradicts the drawing: it is 156.8° where the others are as drawn, and drawn as -80.5°";
     assert!(told.len() == 1 && told[0].starts_with(wanted), "{told:?}");
 }
+
+/// A turn of `gear` would leave `ED` with a drive that reads what it moves: what is told is of the machine as written.
+#[test]
+fn no_coupling_is_turned_round_beside_a_drive_that_reads_what_it_moves() {
+    let machine_with = |drive: &str| {
+        machine(&format!(
+            "pub struct M {{ input theta: angle; ground A(0, 0), E(1m, 0), F(3m, 0);
+             pin B(-0.2m, 0.5m), C(0.4m, 1.1m), D(1.2m, 0.6m), G(3.2m, 0.3m);
+             link AB(A, B), BC(B, C), CD(C, D), ED(E, D), gear(F, G); drive AB.angle = theta;
+             drive AB.angle = gear.angle + 180deg - atan(2.5) - atan(1.5); drive ED.angle = {drive}; }}"
+        ))
+    };
+    let told = machine_with("CD.angle + 120deg").err().expect("no drive is left for `gear`");
+    assert!(
+        told.len() == 2 && told[1].starts_with("`gear` still moves when every input"),
+        "{told:?}"
+    );
+    assert_eq!(machine_with("atan(3)").err(), None);
+}

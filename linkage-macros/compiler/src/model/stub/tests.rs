@@ -150,6 +150,17 @@ fn outputs_that_are_understood_are_the_fields() {
     );
 }
 
+/// One that is asked for is there, and nothing else with it.
+#[test]
+fn a_part_of_a_joint_that_is_understood_is_the_only_force() {
+    let file = expand(
+        "struct M { input t: angle; ground A(0, 0); crank AB(A) -> B { length: 1m, angle: t } mass 1kg on B;
+         friction 0.1 on AB at A radius 8mm; output AB.A.friction; }",
+    );
+    assert_eq!(fields(&file, "MForces").as_deref(), Some("AB: MForcesOfAB<T>"));
+    assert_eq!(fields(&file, "MForcesOfAB").as_deref(), Some("A_friction: T"));
+}
+
 #[test]
 fn an_output_that_is_not_understood_may_be_any_name() {
     let file = expand(&format!("struct Shear {{ {SHEAR} output ram.slide, balde; }}"));

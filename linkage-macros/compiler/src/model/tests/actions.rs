@@ -335,3 +335,19 @@ fn any_of_what_acts_is_enough() {
                    `mass 2kg on BC uniform`, `force (0, -10N) on P`";
     check(&[(CRANK, "output AB.drive;", nothing)]);
 }
+
+/// Where no output is asked for, energy is one of what has mass or is sprung.
+#[test]
+fn forces_alone_have_no_energy() {
+    for (statement, has_energy) in [
+        ("force (0, -1N) on B;", false),
+        ("mass 1kg on B;", true),
+        ("spring between B and D { stiffness: 2(N/m), free_length: 0 }", true),
+        ("stop AB.angle between (0, 1) { stiffness: 3(N*m/rad) }", true),
+    ] {
+        let (mechanism, mistakes) = resolved(&format!("{CRANK} {statement}"));
+        assert_eq!(mistakes, "", "{statement}");
+        let mechanism = mechanism.expect("nothing was reported");
+        assert_eq!(mechanism.dynamics.energy, has_energy, "{statement}");
+    }
+}

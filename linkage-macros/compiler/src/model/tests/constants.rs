@@ -22,6 +22,16 @@ fn a_length_is_greater_than_zero() {
         ),
         (
             CRANK,
+            "ground P(-3m, 2m); crank EF(D) -> F { length: P.x, angle: t }",
+            "P.x: the length of `EF` is -3 m; make it greater than zero",
+        ),
+        (
+            CRANK,
+            "ground P(3m, -2m); crank EF(D) -> F { length: P.y, angle: t }",
+            "P.y: the length of `EF` is -2 m; make it greater than zero",
+        ),
+        (
+            CRANK,
             "param l = 0m; crank EF(D) -> F { length: l, angle: t } crank EG(D) -> G { length: \
              l, angle: t }",
             "0m: the length of `EF` is 0 m; make it greater than zero",

@@ -220,6 +220,12 @@ fn bars_are_parallel_where_opposite_sides_are_known_to_be_as_long() {
         ),
         (
             SIDES,
+            "point P on AB at (r, two); rrr PC(P), DC(D) -> C { lengths: (l, hypot(r, 3 * r)), mode: parallel }",
+            "parallel: `parallel` needs opposite sides of one length: that of `DC` is not known to be |AP| / give \
+             both the same expression or the same number, or write `left` or `right`",
+        ),
+        (
+            SIDES,
             "point P on AB at polar (two, 0.3); rrr PC(P), DC(D) -> C { lengths: (l, two), mode: parallel }",
             "",
         ),

@@ -60,3 +60,15 @@ fn a_block_is_drawn_on_the_guide_with_its_slot_square_to_it() {
         }
     }
 }
+
+/// A block holds one offset at a given height. Of two, nobody says which bodies hold them.
+#[test]
+fn nothing_holds_two_offsets() {
+    let told = |equation: &str| {
+        let statements = "gravity (0, -9.81); mass 2kg on P; output plate.Q;";
+        resolved(&format!("{PLATE} solve phi {{ {equation}, mode: rising }} {statements}")).1
+    };
+    assert_eq!(told("offset(R, rail) = 0.3"), "");
+    let two = told("offset(R, rail) = offset(P, far)");
+    assert!(two.starts_with("Q#3: no reactions beside `unknown phi`; ask for `t.drive`"), "{two}");
+}

@@ -63,6 +63,8 @@ fn a_number_that_no_rate_changes_is_of_the_pose() {
 fn a_quotient_that_rates_change_is_none_of_the_pose() {
     const ONE: &str = "this one changes with the input's rate: a number of the pose has as many rates below the line as \
                        above, `rate(a) / rate(b)`";
+    const RATES: &str = "an output of rates and loads stands in the result of `forces`; of rates alone, `velocity` gives \
+                         those of every output";
     let nothing = |reason: &str| {
         format!(
             "r: nothing has mass and nothing acts, so there are no forces beside `r` / {reason}"
@@ -72,6 +74,8 @@ fn a_quotient_that_rates_change_is_none_of_the_pose() {
         (CRANK, "output r = rate(B.x) / rate(B.y);", ""),
         (CRANK, "output r = rate(B.x) / rate(B.y) / rate(t);", &nothing(ONE)),
         (CRANK, "output r = abs(rate(B.x)) / rate(B.y);", &nothing(ONE)),
+        (CRANK, "output r = rate(B.x) * rate(B.y);", &nothing(RATES)),
+        (CRANK, "output r = rate(B.x) / 2;", &nothing(RATES)),
         (
             TWO_INPUTS,
             "output r = rate(C.x) / rate(C.y);",
