@@ -244,17 +244,17 @@ const KINDS: [Kind; 9] = [
         name: "statements",
         aim: 8,
         facts: &[
-            fact(22, &[Name("Stop"), Name("StopStatement"), Text("stop")]),
-            fact(22, &[Name("Spring"), Name("SpringStatement"), Text("spring")]),
-            fact(11, &[Name("Friction"), Name("FrictionStatement"), Text("friction")]),
-            fact(6, &[Name("Gravity"), Name("GravityStatement"), Text("gravity")]),
+            fact(20, &[Name("Stop"), Name("StopStatement"), Text("stop")]),
+            fact(21, &[Name("Spring"), Name("SpringStatement"), Text("spring")]),
+            fact(10, &[Name("Friction"), Name("FrictionStatement"), Text("friction")]),
+            fact(5, &[Name("Gravity"), Name("GravityStatement"), Text("gravity")]),
         ],
     },
     Kind {
         name: "outputs",
         aim: 9,
         facts: &[
-            fact(9, &[Name("Pole"), Text("pole")]),
+            fact(6, &[Name("Pole"), Text("pole")]),
             fact(9, &[Name("Ratio")]),
             fact(9, &[Name("Transmission")]),
         ],
