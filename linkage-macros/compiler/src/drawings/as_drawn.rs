@@ -16,10 +16,6 @@ fn at_rest(machine: &Machine, values: &[f64]) -> Answers {
     machine.answers("position", &inputs)
 }
 
-fn drawn(machine: &Machine) -> Vec<f64> {
-    machine.mechanism.drawn.clone().expect("drives determine the inputs")
-}
-
 fn place(answers: &Answers, point: &str) -> [f64; 2] {
     ["x", "y"].map(|part| answers.named(&format!("{point}.{part}")))
 }
@@ -111,7 +107,7 @@ fn a_slide_is_along_the_guide_of_its_statement() {
          output yoke, block, Y, P4, end.force;",
     );
     for step in [-0.1, 0.0, 0.1] {
-        let input = [[drawn(&turned)[0] + step, 0.0, 0.0]];
+        let input = [[turned.drawn_inputs()[0] + step, 0.0, 0.0]];
         let [position, forces] = ["position", "forces"].map(|entry| turned.answers(entry, &input));
         let slide = dot(place(&position, "Y"), unit(place(&position, "P4")));
         near(position.named("yoke.slide"), slide, OFF);
@@ -140,7 +136,7 @@ fn a_ram_has_one_angle_whatever_else_is_asked() {
              guide bed through (0, 0) along 30deg; link AB(A, B), BC(B, C), DC(D, C), CC(C, C2); link ram(C2, E2) on bed;
              drive AB.angle = t; {output}"
         ));
-        let angle = at_rest(&ram, &drawn(&ram)).angle("ram.angle");
+        let angle = at_rest(&ram, &ram.drawn_inputs()).angle("ram.angle");
         near(angle, 0.22265_f64.atan2(0.1), OFF);
     }
 }
@@ -157,7 +153,7 @@ fn what_is_drawn_as_a_slide_is_one() {
          output block.slide, P, Q, block.slot, block.slot.friction, end.force;",
     );
     for step in [-0.05, 0.0, 0.02] {
-        let input = [[drawn(&inverted)[0] + step, 0.3, 0.0]];
+        let input = [[inverted.drawn_inputs()[0] + step, 0.3, 0.0]];
         let [position, forces] =
             ["position", "forces"].map(|entry| inverted.answers(entry, &input));
         let [p, q] = ["P", "Q"].map(|point| place(&position, point));
@@ -186,7 +182,7 @@ fn a_rack_has_one_slide() {
         rack("R(0.6m, 0); link bar(p, q) on rack, rod(q, r), wheel(R, r)", right),
     ];
     for machine in both {
-        let position = at_rest(&machine, &drawn(&machine));
+        let position = at_rest(&machine, &machine.drawn_inputs());
         near(position.named("s"), -0.3, OFF);
         near(position.named("p.x"), -0.3, OFF);
     }
@@ -208,7 +204,7 @@ fn declared_lengths_are_measured_from_the_first_pin() {
         "input t: angle; ground A(0, 0); guide bed through (0, 0) along 0deg; pin B(0.1m, 0.05m), C(0.5m, 0.02m), F(0.4m, 0.1m);
          link AB(A, B), BC(B, C); link ram(F, C) on bed { length: 0.15m } drive AB.angle = t; output ram, F, C;",
     );
-    let position = at_rest(&ram, &drawn(&ram));
+    let position = at_rest(&ram, &ram.drawn_inputs());
     let [f, c] = ["F", "C"].map(|point| place(&position, point));
     let along = unit([0.1, -0.08]);
     near(dot(minus(c, f), along), 0.15, OFF);
@@ -282,7 +278,7 @@ fn a_bar_that_is_left_out_has_mass_at_its_pins() {
             pin => format!("mass 1kg on {pin};"),
         };
         let on_pin = of(&format!("{TRIAD} {on_pin} mass 1kg on AB uniform;"));
-        let input = [[drawn(&on_link)[0] + 0.02, 0.7, -0.4]];
+        let input = [[on_link.drawn_inputs()[0] + 0.02, 0.7, -0.4]];
         let [one, other] =
             [&on_link, &on_pin].map(|machine| machine.answers("forces", &input).named("t.drive"));
         near(one, other, 1e-9);
@@ -294,7 +290,7 @@ fn a_bar_that_is_left_out_has_mass_at_its_pins() {
 fn a_bar_that_is_left_out_is_uniform() {
     for (bar, pin) in [("bar2", "C2"), ("bar3", "C3")] {
         let uniform = of(&format!("{TRIAD} mass 3kg on {bar} uniform; output {pin}, energy;"));
-        let input = [[drawn(&uniform)[0] + 0.02, 0.7, 0.0]];
+        let input = [[uniform.drawn_inputs()[0] + 0.02, 0.7, 0.0]];
         let [velocity, energy] = ["velocity", "energy"].map(|entry| uniform.answers(entry, &input));
         let [x, y] = ["x", "y"].map(|part| velocity.named(&format!("velocity of {pin}.{part}")));
         near(energy.named("kinetic energy"), 0.5 * (x * x + y * y), OFF);

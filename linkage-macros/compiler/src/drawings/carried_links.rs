@@ -101,7 +101,7 @@ fn links_of_given_angle_are_carried_by_a_dyad() {
         let machine = of(&statements);
         assert!(machine.mechanism.unknowns.is_empty(), "{statements}");
         let drawn = [machine.drawn::<f64>(false), machine.drawn::<f64>(true)].concat();
-        let inputs = machine.mechanism.drawn.clone().expect("the drives determine the inputs");
+        let inputs = machine.drawn_inputs();
         for step in -4..=4 {
             let step = 0.01 * f64::from(step);
             let inputs: Vec<f64> = inputs
@@ -133,7 +133,7 @@ fn links_of_given_angle_are_carried_by_a_dyad() {
 fn a_carried_link_has_its_driven_length() {
     let statements = &cases().pop().expect("the last one").statements;
     let machine = of(statements);
-    let drawn = machine.mechanism.drawn.clone().expect("the inputs are determined");
+    let drawn = machine.drawn_inputs();
     for change in [-0.2, 0.0, 0.15] {
         let pins = machine.pins::<f64>(&[drawn[0], drawn[1] + change]);
         let ([x0, y0], [x1, y1]) = (at(&pins, "B"), at(&pins, "C"));
@@ -150,7 +150,7 @@ fn a_knee_is_what_a_dyad_by_hand_says() {
         rrr front(A), ghost(V) -> B { lengths: (hypot(0.12m, 0.7m), hypot(0.1m, 0.72m)), mode: right }
         crank shank(B) -> C { length: l, angle: q } output A, B, C;");
     let knee = of(KNEE);
-    let drawn = knee.mechanism.drawn.clone().expect("the drive determines it")[0];
+    let drawn = knee.drawn_inputs()[0];
     for degrees in [-100, -60, -20, 0, 1] {
         let q = drawn - f64::from(degrees).to_radians();
         let [own, other] = [&knee, &by_hand].map(|machine| machine.pins::<f64>(&[q]));
@@ -212,7 +212,7 @@ fn carried_links_count_no_turn_in_the_drawing() {
         );
         let machine = of(&statements);
         assert!(machine.mechanism.unknowns.is_empty(), "{statements}");
-        let drawn = machine.mechanism.drawn.clone().expect("the drives determine the inputs");
+        let drawn = machine.drawn_inputs();
         let inputs: Vec<_> = drawn.iter().map(|&drawn| [drawn, 0.0, 0.0]).collect();
         let answers = machine.answers("motion", &inputs);
         for (name, degrees) in [("first", first), ("second", second), ("arm", arm + 180.0)] {

@@ -39,7 +39,7 @@ pub(super) fn traced(nth: usize, list: &[EightBar]) -> (Traced, usize) {
         let bar = EightBar { places, ..bar.clone() };
         match machine(&format!("pub struct M {{ {} }}", bar.driven.statements(&bar.places))) {
             Ok(machine) => {
-                let drawn = machine.mechanism.drawn.clone().expect("the drive determines it")[0];
+                let drawn = machine.drawn_inputs()[0];
                 let links = Links::of(&bar.driven, &bar.places);
                 let mut poses = links.followed(-0.01);
                 poses.reverse();

@@ -106,7 +106,7 @@ fn a_block_slides_on_a_link_that_an_unknown_turns() {
     let machine = machine.unwrap_or_else(|told| panic!("{told:?}"));
     let unknowns = &machine.mechanism.tracked[0].fit.unknowns;
     assert_eq!(unknowns.iter().filter(|unknown| !unknown.is_angle).count(), 1);
-    let drawn = machine.mechanism.drawn.clone().expect("the drive determines it")[0];
+    let drawn = machine.drawn_inputs()[0];
     let beside_the_way = |pins: &[(String, [f64; 2])]| {
         let at = |name: &str| pins.iter().find(|(pin, _)| pin == name).expect("it is an output").1;
         let [a, b, c] = ["P02", "P01", "P34"].map(at);

@@ -13,10 +13,6 @@ struct Compared<'m> {
     drive: f64,
 }
 
-fn drawn(machine: &Machine) -> f64 {
-    machine.mechanism.drawn.clone().expect("the drive determines the input")[0]
-}
-
 impl Compared<'_> {
     /// The count of certified poses of both, evenly over these drives of the one, and how far their pins are from each other at
     /// most where both are, of the machine's size one.
@@ -28,8 +24,9 @@ impl Compared<'_> {
         let (mut counts, mut off) = ([0; 2], 0.0_f64);
         for part in 0..POSES {
             let drive = from + (to - from) * (part as f64 + 0.5) / POSES as f64;
-            let one = self.one.certified::<f64>(&[drawn(self.one) + drive]);
-            let other = self.other.certified::<f64>(&[drawn(self.other) + self.drive * drive]);
+            let one = self.one.certified::<f64>(&[self.one.drawn_inputs()[0] + drive]);
+            let other =
+                self.other.certified::<f64>(&[self.other.drawn_inputs()[0] + self.drive * drive]);
             counts[0] += usize::from(one.is_some());
             counts[1] += usize::from(other.is_some());
             if let (Some(mut one), Some(other)) = (one, other) {

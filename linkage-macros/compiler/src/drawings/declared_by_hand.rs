@@ -17,23 +17,19 @@ fn a_pin_is_made_once() {
     }
 }
 
-fn drawn(machine: &Machine) -> Vec<f64> {
-    machine.mechanism.drawn.clone().expect("drives determine the inputs")
-}
-
 /// A point that inputs move, a crank and a slider that are declared by hand: their inputs in the drawing.
 #[test]
 fn the_drawn_inputs_are_those_of_what_is_declared_by_hand_too() {
     let point = of("input x, y: length; ground A(-50mm, 0); pin B(-120mm, 90mm), tool(1mm, 200mm); link AB(A, B), BC(B, tool);
          point tool at (x, 2 * y);");
-    assert_eq!(drawn(&point), [0.001, 0.1]);
+    assert_eq!(point.drawn_inputs(), [0.001, 0.1]);
     let crank = of("input theta: angle; ground A(0, 0), D(4m, 0); crank AB(A) -> B { length: 1m, angle: theta + 10deg }
          pin B(0.6m, 0.8m), C(3m, 2m); link BC(B, C), DC(D, C);");
     let angle = 0.8_f64.atan2(0.6) - 10_f64.to_radians();
-    assert!((drawn(&crank)[0] - angle).abs() < 1e-15);
+    assert!((crank.drawn_inputs()[0] - angle).abs() < 1e-15);
     let slider = of("input s: length; ground D(4m, 0); guide bed through (1m, 0) along 0deg;
          slider ram(bed) -> B { slide: s } pin B(1.5m, 0), C(3m, 2m); link BC(B, C), DC(D, C);");
-    assert_eq!(drawn(&slider), [0.5]);
+    assert_eq!(slider.drawn_inputs(), [0.5]);
 }
 
 /// A group whose pins are drawn takes its mode from the drawing: at the drawn inputs its pin is where it is drawn, on
@@ -76,7 +72,7 @@ fn a_mode_that_is_left_out_is_that_of_the_drawing() {
     machines.extend(by_hand.collect::<Vec<_>>());
     for (c, statements) in machines {
         let machine = of(&format!("input t: angle; {statements}"));
-        let answers = machine.answers("position", &[[drawn(&machine)[0], 0.0, 0.0]]);
+        let answers = machine.answers("position", &[[machine.drawn_inputs()[0], 0.0, 0.0]]);
         let off = (answers.named("C.x") - c[0]).hypot(answers.named("C.y") - c[1]);
         assert!(off < 1e-12, "{statements}: {off:e}");
     }

@@ -7,7 +7,7 @@ fn move_alike(declared: &str, point: &str, drawn: &str) -> String {
     let text = |statements: &str| format!("pub struct M {{ {statements} }}");
     let [a, b] = [format!("{declared}\n{point}"), drawn.to_string()]
         .map(|statements| machine(&text(&statements)).unwrap_or_else(|told| panic!("{told:?}")));
-    let [inputs, same] = [&a, &b].map(|machine| machine.mechanism.drawn.clone().expect("a pose"));
+    let [inputs, same] = [&a, &b].map(|machine| machine.drawn_inputs());
     assert!((inputs[0] - same[0]).abs() < 1e-15, "{inputs:?} {same:?}");
     for step in -5..=5 {
         let inputs = [inputs[0] + 0.01 * f64::from(step)];

@@ -19,7 +19,7 @@ fn an_angle_a_turn_off_what_is_drawn_is_as_drawn() {
             "input t: angle; ground A(0, 0), D(4, 0); pin B({bx:?}, {by:?}), E({ex:?}, {ey:?}), C(2.1, 3); \
              link AB(A, B), DE(D, E), BC(B, C), EC(E, C); drive AB.angle = t; drive DE.angle = {second};"
         ));
-        let drawn = geared.mechanism.drawn.clone().expect("drives determine the input");
+        let drawn = geared.drawn_inputs();
         // The first drive says where its input is drawn, to the roundings of an arc tangent.
         assert!((drawn[0] - b).abs() < 1e-14, "{second}: {drawn:?}");
     }

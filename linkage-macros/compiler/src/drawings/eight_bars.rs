@@ -135,7 +135,7 @@ fn compiled(nth: usize) -> [Outcomes; 2] {
                 continue;
             }
         };
-        let inputs = machine.mechanism.drawn.clone().expect("the drive determines the input");
+        let inputs = machine.drawn_inputs();
         let now = machine.pins::<f64>(&inputs);
         for (name, place) in machine.drawn::<f64>(false) {
             let at = now.iter().find(|(pin, _)| *pin == name).expect("every pin is an output").1;

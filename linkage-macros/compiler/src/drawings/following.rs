@@ -29,7 +29,7 @@ fn stretch(machine: &Machine) -> [f64; 2] {
 /// written to a tenth of a degree.
 fn along(machine: &Machine) -> Vec<f64> {
     let [from, to] = stretch(machine);
-    let drawn = machine.mechanism.drawn.as_ref().expect("drives determine the inputs")[0];
+    let drawn = machine.drawn_inputs()[0];
     (0..=STEPS)
         .map(|i| drawn + 0.99 * (from + (to - from) * f64::from(i) / f64::from(STEPS)))
         .collect()
@@ -69,7 +69,7 @@ fn a_machine_with_a_parameter_is_solved_beside_its_default() {
     let statements =
         DRAG_LINK.replace("ground A", "param w = 0.4m; ground A").replace("0.4)", "w)");
     let machine = of(&statements);
-    let drawn = machine.mechanism.drawn.clone().expect("it is determined")[0];
+    let drawn = machine.drawn_inputs()[0];
     // The unknown is the angle of BP from AB, in an interval with constant ends.
     let docs = machine.docs();
     assert!(docs.contains("angle: phi, relative_to: AB"), "{docs}");
@@ -134,7 +134,7 @@ fn a_stretch_is_one_of_whatever_drives() {
         let poses = match statements.contains("1.5rad") {
             // The stretch is one of the drive.
             true => {
-                let drawn = machine.mechanism.drawn.as_ref().expect("it is determined")[0];
+                let drawn = machine.drawn_inputs()[0];
                 poses.iter().map(|at| drawn - (at - drawn) / 2.0).collect()
             }
             false => poses,
@@ -201,7 +201,7 @@ fn a_drive_between_moving_links_moves_the_same_machine() {
         let statements =
             format!("input q: angle; {text} drive {first}.angle - {second}.angle = q;");
         let machine = of(&statements);
-        let drawn = machine.mechanism.drawn.clone().expect("it is determined");
+        let drawn = machine.drawn_inputs();
         let at = machine.rigid(&drawn, CLOSED).unwrap_or_else(|| panic!("{statements}"));
         for (name, place) in machine.drawn::<f64>(false) {
             let now = at.iter().find(|(pin, _)| *pin == name).expect("a pin").1;
@@ -264,7 +264,7 @@ fn drives_between_moving_links_hold_them_beside_slides_and_other_links() {
         let statements =
             format!("input q: angle; {text} drive {first}.angle - {second}.angle = q;");
         let machine = of(&statements);
-        let drawn = machine.mechanism.drawn.clone().expect("it is determined");
+        let drawn = machine.drawn_inputs();
         for change in [-0.04, -0.01, 0.0, 0.01, 0.04] {
             let mut inputs = drawn.clone();
             inputs[0] += change;
@@ -291,7 +291,7 @@ fn a_slot_that_a_search_stands_on_is_made_within_it() {
                    link AB(A, B), CR(C, D); guide slot on CR through C towards D; link rod(B) on slot; \
                    drive rod.slide = s;",
     );
-    let drawn = boom.mechanism.drawn.clone().expect("it is determined")[0];
+    let drawn = boom.drawn_inputs()[0];
     for change in [-0.2, 0.0, 0.1, 0.3] {
         let pins = boom.rigid(&[drawn + change], CLOSED).unwrap_or_else(|| panic!("{change}"));
         let b = pins.iter().find(|(name, _)| name == "B").expect("a pin").1;

@@ -14,7 +14,7 @@ fn of(statements: &str) -> Machine {
 /// Both declarations mean one machine: every number of their motions is the same.
 fn are_one(one: &str, other: &str, off: f64) {
     let machines = [one, other].map(of);
-    let drawn = machines[0].mechanism.drawn.clone().expect("the drive determines it")[0];
+    let drawn = machines[0].drawn_inputs()[0];
     for by in [0.0, 0.02, -0.01] {
         let answers = machines
             .each_ref()
@@ -94,7 +94,7 @@ fn a_guide_runs_through_any_pin_of_its_link() {
             are_one(&named, &placed, 1e-9);
         }
         let machine = of(&format!("{knee} guide slot on {link} through {far} towards {near};"));
-        let drawn = machine.mechanism.drawn.clone().expect("the drive determines it")[0];
+        let drawn = machine.drawn_inputs()[0];
         let answers = machine.answers("position", &[[drawn, 0.0, 0.0]]);
         assert!(
             (answers.named("E.x") - 0.02).abs() < 1e-9

@@ -27,7 +27,7 @@ fn an_output_may_have_any_name() {
         let shear = of(&format!("{SHEAR} output {name} = AB.angle;"));
         let shear = shear.unwrap_or_else(|told| panic!("{name}: {told:?}"));
         assert_eq!(shear.mechanism.unknowns.len(), 1);
-        let drawn = shear.mechanism.drawn.clone().expect("the drive determines it")[0];
+        let drawn = shear.drawn_inputs()[0];
         let angle = shear.answers("position", &[[drawn, 0.0, 0.0]]).angle(name);
         assert!((angle - 70_f64.atan2(-30.0)).abs() < 1e-12, "{name}: {angle}");
     }

@@ -60,7 +60,7 @@ fn by_triangles(s: f64) -> [[f64; 2]; 5] {
 fn a_lorry_tips_as_its_triangles_do() {
     let lorry =
         machine(&format!("pub struct M {{ {LORRY} }}")).unwrap_or_else(|told| panic!("{told:?}"));
-    let drawn = lorry.mechanism.drawn.clone().expect("the cylinder says it")[0];
+    let drawn = lorry.drawn_inputs()[0];
     assert!((drawn - 0.45_f64.hypot(0.5)).abs() < 1e-15);
     let names = ["G", "R", "T", "K", "L"];
     let places = [[1.3, 0.1], [0.8, 0.25], [2.0, 0.3], [-0.1, 0.5], [-0.45, 0.35]];

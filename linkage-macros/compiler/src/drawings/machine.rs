@@ -56,6 +56,11 @@ impl Machine {
         Self { program, ..self }
     }
 
+    /// The inputs of the pose in which it is drawn.
+    pub(super) fn drawn_inputs(&self) -> Vec<f64> {
+        self.mechanism.drawn.clone().expect("drives determine the inputs")
+    }
+
     pub(super) fn docs(&self) -> String {
         documentation(&self.mechanism)
     }

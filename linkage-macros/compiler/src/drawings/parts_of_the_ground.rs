@@ -43,7 +43,7 @@ fn a_link_on_two_ground_pins_is_ground() {
         ("link frame(E, D, F);", "on frame through (0, 0) along 180deg"),
         ("link frame(D, E), arm(E, F), stay(F, D);", "on frame through D along 0deg"),
     ];
-    let drawn = ground.mechanism.drawn.clone().expect("the drive determines it")[0];
+    let drawn = ground.drawn_inputs()[0];
     for (frame, slot) in frames {
         let is_truss = frame.contains("stay");
         let held = machine(&format!("pin F(200mm, 150mm); {frame}"), slot);
@@ -74,7 +74,7 @@ fn a_part_of_the_ground_is_a_link_that_stands_still() {
         "mass 3kg on frame at (50mm, 20mm); mass 1kg on frame uniform; torque 2(N*m) on frame;",
     ]
     .map(|more| frame(more).unwrap_or_else(|told| panic!("{told:?}")));
-    let drawn = bare.mechanism.drawn.clone().expect("the drive determines it")[0];
+    let drawn = bare.drawn_inputs()[0];
     let efforts = [&bare, &heavy]
         .map(|machine| machine.answers("forces", &[[drawn, 1.0, 0.0]]).named("t.drive"));
     assert!((efforts[0] - efforts[1]).abs() < OFF, "{efforts:?}");
@@ -94,7 +94,7 @@ fn a_part_of_the_ground_does_not_turn_in_a_joint() {
         .unwrap_or_else(|told| panic!("{frame}: {told:?}"))
     };
     let [bare, framed] = ["", "link frame(A, D);"].map(rubbing);
-    let drawn = bare.mechanism.drawn.clone().expect("the drive determines it")[0];
+    let drawn = bare.drawn_inputs()[0];
     let efforts = [&bare, &framed]
         .map(|machine| machine.answers("forces", &[[drawn, 1.0, 0.0]]).named("t.drive"));
     assert!((efforts[0] - efforts[1]).abs() < OFF, "{efforts:?}");

@@ -32,7 +32,7 @@ pub(super) fn single_precision_stands_where_it_is_drawn(name: &str, machine: &Ma
     let drawn = [machine.drawn::<f64>(true), machine.drawn::<f64>(false)].concat();
     let size = drawn.iter().flat_map(|(_, at)| at).fold(0.0_f64, |size, x| size.max(x.abs()));
     let unit = f64::from(f32::EPSILON) * size;
-    let inputs = machine.mechanism.drawn.clone().expect("drives determine the inputs");
+    let inputs = machine.drawn_inputs();
     // The input is rounded: compared with double precision at the same one.
     let rounded: Vec<_> = inputs.iter().map(|input| f64::from(*input as f32)).collect();
     let now = widened(machine.pins::<f32>(&rounded));
@@ -80,7 +80,7 @@ pub(super) fn every_pin_is_where_it_is_drawn_and_every_body_stays_rigid(
     name: &str,
     machine: &Machine,
 ) {
-    let inputs = machine.mechanism.drawn.clone().expect("drives determine the inputs");
+    let inputs = machine.drawn_inputs();
     let now = machine.pins(&inputs);
     for (pin, at) in machine.drawn(false) {
         let found = place(&now, &pin);

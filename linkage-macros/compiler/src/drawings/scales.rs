@@ -53,7 +53,7 @@ fn a_machine_compiles_at_every_scale() {
     let mut before: Option<Vec<f64>> = None;
     for scale in [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6] {
         let machine = machine(&scaled(scale)).unwrap_or_else(|told| panic!("{scale:e}: {told:?}"));
-        let drawn = machine.mechanism.drawn.clone().expect("the drive determines it")[0];
+        let drawn = machine.drawn_inputs()[0];
         let position = machine.answers("position", &[[drawn, 0.0, 0.0]]);
         for pin in ["P4", "P10", "P17", "P18"] {
             let (_, [x, y]) = COORDINATES.iter().find(|(known, _)| *known == pin).expect("a pin");

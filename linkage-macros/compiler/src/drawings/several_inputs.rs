@@ -40,7 +40,7 @@ fn is_solved_along(
     ends: [f64; 2],
     others: impl Fn(&[f64], &dyn Fn(&str) -> [f64; 2]),
 ) {
-    let drawn = machine.mechanism.drawn.clone().expect("it is determined");
+    let drawn = machine.drawn_inputs();
     for change in along(ends) {
         let mut inputs = drawn.clone();
         inputs[index] += change;

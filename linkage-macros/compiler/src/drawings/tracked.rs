@@ -31,7 +31,7 @@ const PRINTED: f64 = 0.51e-9;
 #[test]
 fn a_gripper_is_where_another_program_has_it() {
     let machine = machine(&format!("pub struct M {{ {GRIPPER} }}")).expect("it is a machine");
-    let drawn = machine.mechanism.drawn.clone().expect("the drive determines the input")[0];
+    let drawn = machine.drawn_inputs()[0];
     for [out, right @ ..] in RIGHT {
         let at = [drawn + out * 1e-3];
         assert!(machine.is_certified(&at), "{out}");
@@ -108,7 +108,7 @@ fn is_right(bar: &EightBar, machine: &Machine) {
     let mut poses = links.followed(-0.01);
     poses.reverse();
     poses.extend(links.followed(0.01).into_iter().skip(1));
-    let drawn = machine.mechanism.drawn.clone().expect("the drive determines the input")[0];
+    let drawn = machine.drawn_inputs()[0];
     let (first, last) = (poses[0].0, poses[poses.len() - 1].0);
     for part in 0..=10 {
         let share = f64::from(part - 5) / 100.0;
@@ -137,7 +137,7 @@ fn is_the_motions(
     (links, poses): (&Links<'_>, &[(f64, Coordinates)]),
     drive: f64,
 ) -> bool {
-    let drawn = machine.mechanism.drawn.clone().expect("the drive determines the input")[0];
+    let drawn = machine.drawn_inputs()[0];
     if !machine.is_certified(&[drawn + drive]) {
         return false;
     }

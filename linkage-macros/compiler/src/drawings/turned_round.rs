@@ -35,7 +35,7 @@ fn a_gear_that_is_driven_turns_its_pinion() {
             "B(0.5, 0)",
             if coupling.starts_with("90deg + t") { "B(0, -0.5)" } else { "B(0.5, 0)" },
         ));
-        let drawn = wheels.mechanism.drawn.clone().expect("the drive determines it")[0];
+        let drawn = wheels.drawn_inputs()[0];
         for step in -8..=8 {
             let t = drawn + 0.35 * f64::from(step);
             let pins = wheels.pins::<f64>(&[t]);

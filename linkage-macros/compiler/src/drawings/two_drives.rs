@@ -63,7 +63,7 @@ fn agree(driven: &Driven, off: f64, moved: impl Fn(&str) -> String) -> usize {
     let Driven { name, statements, drives, load } = driven;
     let statements = moved(statements);
     let plain = of(&statements, drives[0]);
-    let drawn = plain.mechanism.drawn.clone().expect("the drive determines it")[0];
+    let drawn = plain.drawn_inputs()[0];
     let mut compared = 0;
     for (step, rate, accel) in [(0.0, 1.3, -0.7), (0.04, -0.9, 0.4), (-0.05, 0.6, 2.1)] {
         let input = [drawn + step, rate, accel];
@@ -210,7 +210,7 @@ fn the_last_digits_of_a_drawing_change_no_meaning() {
         for drive in *drives {
             let [one, other] = [(*statements).to_string(), moved(statements, "e-9m")]
                 .map(|statements| of(&statements, drive));
-            let drawn = one.mechanism.drawn.clone().expect("the drive determines it")[0];
+            let drawn = one.drawn_inputs()[0];
             let input = [[drawn + 0.03, 0.8, -0.4]];
             for entry in ["motion", "forces"] {
                 let answers = [one.answers(entry, &input), other.answers(entry, &input)];
@@ -247,7 +247,7 @@ fn single_precision_follows_both_drives() {
     for Driven { name, statements, drives, .. } in &MACHINES {
         for drive in *drives {
             let machine = of(statements, drive);
-            let drawn = machine.mechanism.drawn.clone().expect("the drive determines it")[0];
+            let drawn = machine.drawn_inputs()[0];
             let input = [[drawn + 0.03, 0.8, -0.4].map(|value| f64::from(value as f32))];
             for entry in ["motion", "forces"] {
                 let single = machine.answers_in::<f32>(entry, &input, |value| f64::from(*value));

@@ -29,7 +29,7 @@ fn pin(name: &str, [x, y]: [f64; 2], size: f64, degrees: f64) -> String {
 
 /// The torque of the coil at these inputs from the drawing.
 fn torque(machine: &Machine, by: &[f64]) -> f64 {
-    let drawn = machine.mechanism.drawn.clone().expect("drives determine the inputs");
+    let drawn = machine.drawn_inputs();
     let inputs: Vec<_> = drawn.iter().zip(by).map(|(drawn, by)| [drawn + by, 0.0, 0.0]).collect();
     machine.answers("forces", &inputs).named("coil.torque")
 }
@@ -92,7 +92,7 @@ fn a_coil_counts_turns_from_the_angle_that_a_link_is_drawn_at() {
                 coil("bar and wheel"),
             );
             let machine = of(&statements);
-            let drawn = machine.mechanism.drawn.as_ref().expect("the drive determines it")[0];
+            let drawn = machine.drawn_inputs()[0];
             for by in [0.0, 0.2, -0.2] {
                 let angle = drawn + by - bar.to_radians();
                 is_wound(&machine, &[by], angle, &format!("{bar} on {rack}, {by}"));
@@ -174,7 +174,7 @@ fn the_unknown_of_a_search_counts_no_turns() {
         let machine = of([0.0, 1.0]);
         assert_eq!(machine.mechanism.unknowns.len(), 1);
         assert!(machine.docs().contains("relative_to: L0"));
-        let drawn = machine.mechanism.drawn.clone().expect("the drive determines it")[0];
+        let drawn = machine.drawn_inputs()[0];
         let at = |machine: &Machine, entry| machine.answers(entry, &[[drawn, 0.0, 0.0]]);
         let angle = at(&machine, "motion").angle("L1.angle");
         let wound = -STIFFNESS * within_half_a_turn(angle - FREE);
@@ -209,7 +209,7 @@ fn a_link_that_is_driven_against_a_crank_is_turned_as_it_is_drawn() {
             for by in [0.0, 8.0] {
                 is_wound(&machine, &[0.0, by], drawn + sign * by, &statements);
             }
-            let inputs = machine.mechanism.drawn.clone().expect("drives determine the inputs");
+            let inputs = machine.drawn_inputs();
             let inputs: Vec<_> = inputs.iter().map(|at| [*at, 0.0, 0.0]).collect();
             let gap = machine.answers("forces", &inputs).named("end.gap");
             let wanted = 3.0 - f64::to_radians(bc).abs();

@@ -275,7 +275,7 @@ impl Outcomes {
         let truth = Truth::of(as_set);
         let params: Vec<_> = as_set.params.iter().map(|param| param.default).collect();
         let is_searched = !machine.mechanism.unknowns.is_empty();
-        let drawn = machine.mechanism.drawn.clone().expect("drives determine the inputs");
+        let drawn = machine.drawn_inputs();
         for (known, drawn) in as_declared.drawn_inputs().iter().zip(&drawn) {
             if (known - drawn).abs() > 1e-12 {
                 return vec![format!("drawn at {drawn} in place of {known}")];
