@@ -52,6 +52,11 @@ impl Figure {
         Self::constant(decimal(value), value)
     }
 
+    /// The same to ten digits behind the point.
+    pub(super) fn to_ten_digits(value: f64) -> Self {
+        Self::constant(signed(&format!("{:.10}", value.abs()), value), value)
+    }
+
     /// An angle in degrees that is known as a float only.
     pub(super) fn degrees(value: f64) -> Self {
         let degree = unit("deg").map_or(Exact::integer(1), |(_, degree)| degree);
@@ -157,8 +162,13 @@ impl Figure {
 
 /// The shortest decimal of a float.
 fn decimal(value: f64) -> Exact {
-    let size = Exact::decimal(&format!("{:?}", value.abs())).unwrap_or_else(|| Exact::integer(0));
-    if value < 0.0 { size.neg() } else { size }
+    signed(&format!("{:?}", value.abs()), value)
+}
+
+/// These digits with the sign of a number.
+fn signed(digits: &str, number: f64) -> Exact {
+    let size = Exact::decimal(digits).unwrap_or_else(|| Exact::integer(0));
+    if number < 0.0 { size.neg() } else { size }
 }
 
 /// Arithmetic.

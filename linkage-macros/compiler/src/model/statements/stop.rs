@@ -83,10 +83,14 @@ fn stop_of(scope: &mut Scope<'_>, docs: &[Attribute], written: &StopStatement) -
         }
         None => Some(Magnitude::zero()),
     };
+    let title = match &written.name {
+        Some(name) => written.title(&name.to_string()),
+        None => "stop".to_string(),
+    };
     Some(Stop {
         name: written.name.clone(),
         docs: docs.to_vec(),
-        title: written.name.iter().fold("stop".to_string(), |stop, name| format!("{stop} {name}")),
+        title,
         of,
         ends: ends?,
         stiffness: stiffness?,

@@ -3,7 +3,6 @@
 use proc_macro2::Ident;
 
 use crate::chain::fit::{DeadEnds, Following, NearDead, Terms};
-use crate::exact::Exact;
 
 use crate::model::drawn::writing::free_names::FreeNames;
 use crate::model::figures::Figure;
@@ -93,9 +92,7 @@ const NEXT_TO_ZERO: f64 = 1e-10;
 
 /// A plain number to ten digits behind the point: what it decides is where a search looks, to a thousandth.
 fn number(value: f64) -> Figure {
-    let exact = Exact::decimal(&format!("{:.10}", value.abs()));
-    let exact = exact.unwrap_or_else(|| Exact::integer(0));
-    Figure::constant(if value < 0.0 { exact.neg() } else { exact }, value)
+    Figure::to_ten_digits(value)
 }
 
 /// The sum of a fit and the square roots towards dead points.
