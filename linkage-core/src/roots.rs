@@ -182,18 +182,18 @@ impl<T: Real> Search<T> {
     ///
     /// # Errors
     /// See [`FindError`].
-    pub fn find(&self, f: impl FnMut(T) -> [T; 2]) -> Result<Root<T>, FindError> {
+    pub fn find(&self, mut f: impl FnMut(T) -> [T; 2]) -> Result<Root<T>, FindError> {
         let [from, to] = self.between;
         let Some(approach) = Approach::new([from, to]) else {
             return Err(FindError::Interval { from: from.value(), to: to.value() });
         };
-        let mut f = Equation::new(f, self.trend);
+        let mut f = Equation::new(&mut f, self.trend);
         let at = match self
             .near
             .and_then(|seed| f.newton(seed, approach, approach.to - approach.from, None))
         {
             Some(at) => at,
-            None => self.bracketed(&mut f, approach, false, |_| self.slack)?,
+            None => self.bracketed(&mut f, approach, false, &|_| self.slack)?,
         };
         f.differentiated(at)
     }

@@ -215,7 +215,7 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Walk<F, T> {
             return Ok(None);
         }
         let floor = -self.zero;
-        let found = lowest([a, b], floor, u32::MAX, |x| self.at(x).map(turned))?;
+        let found = lowest([a, b], floor, u32::MAX, &mut |x| self.at(x).map(turned))?;
         Ok(Some(turned(found)))
     }
 }

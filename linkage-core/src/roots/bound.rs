@@ -71,7 +71,7 @@ fn stretch_end<T: Real>(
     }
     let outer = at(constant(here), at_end);
     let ends = if end == 0 { [outer, inner] } else { [inner, outer] };
-    Ok((crossing(ends, slope)?, one))
+    Ok((crossing(ends, &mut slope)?, one))
 }
 
 #[cfg(test)]

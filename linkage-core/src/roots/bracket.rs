@@ -10,12 +10,12 @@ use crate::kernels::sqrt;
 impl<T: Real> Search<T> {
     /// The root from both ends. The distance by which f may miss zero at an end follows from its values
     /// there. Where f `is_steady`, its slope is proved to have one sign between the ends.
-    pub(super) fn bracketed<F: FnMut(T) -> [T; 2]>(
+    pub(super) fn bracketed(
         &self,
-        f: &mut Equation<T, F>,
+        f: &mut Equation<'_, T>,
         approach: Approach<T>,
         is_steady: bool,
-        slack: impl FnOnce([T; 2]) -> T,
+        slack: &dyn Fn([T; 2]) -> T,
     ) -> Result<T, FindError> {
         let zero = number::<T>(0.0);
         let ends = [f.at(approach.from)?, f.at(approach.to)?];

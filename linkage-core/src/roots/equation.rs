@@ -10,9 +10,9 @@ use crate::Real;
 /// Newton's steps from a seed.
 const SEEDED: u32 = 3;
 
-/// f, its sign turned where it is to fall.
-pub(super) struct Equation<T, F> {
-    f: F,
+/// f, its sign turned where it is to fall. What searches is compiled once for all functions of a type of numbers.
+pub(super) struct Equation<'f, T> {
+    f: &'f mut dyn FnMut(T) -> [T; 2],
     sign: T,
     evaluations: u32,
 }
@@ -20,7 +20,7 @@ pub(super) struct Equation<T, F> {
 /// The root between two places at which f, of a value below zero and one above, is known.
 pub(crate) fn crossing<T: Real>(
     [a, b]: [At<T>; 2],
-    f: impl FnMut(T) -> [T; 2],
+    f: &mut dyn FnMut(T) -> [T; 2],
 ) -> Result<T, FindError> {
     let Some(approach) = Approach::new([a.x, b.x]) else { return Ok(a.x) };
     let trend = if b.value.gt(a.value) { Trend::Rising } else { Trend::Falling };
@@ -32,12 +32,15 @@ pub(crate) fn crossing<T: Real>(
 }
 
 /// A known root with the derivatives that f's numbers carry.
-pub(crate) fn differentiated<T: Real>(at: T, f: impl FnMut(T) -> [T; 2]) -> Result<T, FindError> {
+pub(crate) fn differentiated<T: Real>(
+    at: T,
+    f: &mut dyn FnMut(T) -> [T; 2],
+) -> Result<T, FindError> {
     Equation::new(f, Trend::Rising).differentiated(at).map(|root| root.at)
 }
 
-impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
-    pub(super) fn new(f: F, trend: Trend) -> Self {
+impl<'f, T: Real> Equation<'f, T> {
+    pub(super) fn new(f: &'f mut dyn FnMut(T) -> [T; 2], trend: Trend) -> Self {
         Self { f, sign: trend.sign(), evaluations: 0 }
     }
 
@@ -130,7 +133,8 @@ impl<T: Real, F: FnMut(T) -> [T; 2]> Equation<T, F> {
         let turn =
             |at: At<T>| if end == 0 { at } else { At { value: -at.value, slope: -at.slope, ..at } };
         let between = if end == 0 { [moves, inner] } else { [inner, moves] };
-        lowest(between.map(turn), zero, most.saturating_sub(2), |x| self.at(x).map(turn)).map(turn)
+        lowest(between.map(turn), zero, most.saturating_sub(2), &mut |x| self.at(x).map(turn))
+            .map(turn)
     }
 
     /// The root, with the derivatives that f's numbers carry: in their arithmetic each of Newton's

@@ -21,7 +21,7 @@ pub(crate) fn lowest<T: Real>(
     [a, b]: [At<T>; 2],
     floor: T,
     most: u32,
-    mut sample: impl FnMut(T) -> Result<At<T>, FindError>,
+    sample: &mut dyn FnMut(T) -> Result<At<T>, FindError>,
 ) -> Result<At<T>, FindError> {
     let Some(approach) = Approach::new([a.x, b.x]) else { return Ok(a) };
     // The slope's own rate at the ends is unknown and not needed.

@@ -161,14 +161,14 @@ fn followed<T: Real>(
     }
     let [first, second] = ends.map(size);
     let (extent, change) = (Cell::new(greater(first, second)), Cell::new(zero));
-    let difference = |x| {
+    let mut difference = |x| {
         let met = sides(x);
         let [left, right, slope] = met;
         extent.set(greater(extent.get(), constant(size(met))));
         change.set(magnitude(slope) * width);
         [left - right, slope]
     };
-    let mut f = Equation::new(difference, trend);
+    let mut f = Equation::new(&mut difference, trend);
     // The slope is that of left − right.
     let turn = number::<T>(if apart.is_right { 1.0 } else { -1.0 });
     let foreseen = seed.foreseen(apart.given, turn);

@@ -62,14 +62,14 @@ struct Survey<T> {
 ///
 /// # Errors
 /// `NotFinite` where it is not a number.
-pub(super) fn survey<T: Real, F: FnMut(T) -> [T; 2]>(
-    f: &mut Equation<T, F>,
+pub(super) fn survey<T: Real>(
+    f: &mut Equation<'_, T>,
     places: [At<T>; 4],
     most: u32,
 ) -> Result<Course<T>, FindError> {
     let mut survey = Survey::new(places);
     let end = f.evaluations().saturating_add(most);
-    let left = |f: &Equation<T, F>| end.saturating_sub(f.evaluations());
+    let left = |f: &Equation<'_, T>| end.saturating_sub(f.evaluations());
     loop {
         if let Some(course) = survey.root() {
             return Ok(course);
@@ -109,8 +109,8 @@ pub(super) fn survey<T: Real, F: FnMut(T) -> [T; 2]>(
 }
 
 /// The lowest point of a dip (`sign` 1), or the highest of a hump (−1), or the first place beyond zero.
-fn extreme<T: Real, F: FnMut(T) -> [T; 2]>(
-    f: &mut Equation<T, F>,
+fn extreme<T: Real>(
+    f: &mut Equation<'_, T>,
     ends: [At<T>; 2],
     sign: T,
     most: u32,
@@ -118,7 +118,7 @@ fn extreme<T: Real, F: FnMut(T) -> [T; 2]>(
     let turned = |at: At<T>| At { value: sign * at.value, slope: sign * at.slope, ..at };
     // One more sample may be taken than asked for.
     let most = dead_point_most::<T>().min(most.saturating_sub(1));
-    lowest(ends.map(turned), number(0.0), most, |x| f.at(x).map(turned)).map(turned)
+    lowest(ends.map(turned), number(0.0), most, &mut |x| f.at(x).map(turned)).map(turned)
 }
 
 /// A piece between two samples.
@@ -331,11 +331,11 @@ pub(crate) fn judged(ends: [At<f64>; 2], error: f64, middle: At<f64>) -> (bool, 
 /// evaluations: beside what the script of a page finds.
 #[cfg(all(test, feature = "page"))]
 pub(crate) fn surveyed(
-    f: impl FnMut(f64) -> [f64; 2],
+    mut f: impl FnMut(f64) -> [f64; 2],
     places: [f64; 4],
     most: u32,
 ) -> (&'static str, std::vec::Vec<At<f64>>, u32) {
-    let mut f = Equation::new(f, super::Trend::Rising);
+    let mut f = Equation::new(&mut f, super::Trend::Rising);
     let places = places.map(|x| f.at(x).expect("it is a number everywhere"));
     let (word, met) = match survey(&mut f, places, most).expect("it is a number everywhere") {
         Course::Rises(ends) => ("rises", ends.into()),

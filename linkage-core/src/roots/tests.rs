@@ -299,7 +299,7 @@ fn a_lowest_point_is_found_to_its_last_places() {
             At { x, value, slope: away.sin() + 3.0 * skew * away * away }
         };
         let mut calls = 0;
-        let found = lowest([f(-1.0), f(0.9)], -1.0, u32::MAX, |x| {
+        let found = lowest([f(-1.0), f(0.9)], -1.0, u32::MAX, &mut |x| {
             calls += 1;
             Ok(f(x))
         });

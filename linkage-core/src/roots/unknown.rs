@@ -45,12 +45,12 @@ pub(super) fn root_of<T: Real>(
     }
     let [at, size] = plain()?.map(|found| number::<T>(found.value()));
     let last = Cell::new(number::<T>(0.0));
-    let difference = |x| {
+    let mut difference = |x| {
         let [left, right, slope] = sides(x);
         last.set(trend.sign::<T>() * slope);
         [left - right, slope]
     };
-    let found = Equation::new(difference, trend).differentiated(at)?.at;
+    let found = Equation::new(&mut difference, trend).differentiated(at)?.at;
     let change = last.get().value() * (between[1].value() - between[0].value());
     let is_slope = change > ROUNDINGS * T::EPSILON * size.value();
     if found.is_constant() || is_slope {
@@ -97,7 +97,7 @@ fn searched<T: Real>(
     };
     let width = approach.to - approach.from;
     let (extent, change) = (Cell::new(number::<T>(0.0)), Cell::new(number::<T>(0.0)));
-    let difference = |x| {
+    let mut difference = |x| {
         let [left, right, slope] = sides(x);
         let size = magnitude(constant(left)) + magnitude(constant(right));
         // Ignore NaN and infinity.
@@ -105,7 +105,7 @@ fn searched<T: Real>(
         change.set(magnitude(constant(slope)) * width);
         [left - right, slope]
     };
-    let mut f = Equation::new(difference, trend);
+    let mut f = Equation::new(&mut difference, trend);
     let at = match near.and_then(|seed| f.newton(seed, approach, width, None)) {
         Some(at) => {
             let last = change.get();
@@ -115,7 +115,7 @@ fn searched<T: Real>(
             change.set(last);
             at
         }
-        None => Search::new(between, trend).bracketed(&mut f, approach, is_steady, |[a, b]| {
+        None => Search::new(between, trend).bracketed(&mut f, approach, is_steady, &|[a, b]| {
             let met = greater(greater(magnitude(a), magnitude(b)), extent.get());
             met * number(SLACK * T::EPSILON)
         })?,
