@@ -104,7 +104,7 @@ pub(super) struct Names {
     pub use_is_hidden: bool,
     /// The names behind `solve`.
     pub solved: HashSet<String>,
-    /// The pins of a drawing, which are resolved as points that stand still.
+    /// The pins of a drawing while they are resolved as points that stand still, and the named expressions that move.
     pub pins: HashSet<String>,
 }
 
@@ -177,6 +177,11 @@ impl Names {
     pub(super) fn of_kinds(&self, kinds: &[Kind]) -> impl Iterator<Item = &str> {
         let known = self.symbols.iter().filter(|symbol| !symbol.is_hidden);
         known.filter(|symbol| kinds.contains(&symbol.kind)).map(|symbol| symbol.name.as_str())
+    }
+
+    /// True of a pin of a drawing that stands still while numbers are resolved, and of a named expression that moves.
+    pub(super) fn is_of_pins(&self, name: &Ident) -> bool {
+        self.pins.contains(&name.to_string())
     }
 
     /// True if nobody has written the name.

@@ -57,7 +57,7 @@ pub(super) fn depends_on_no_input(
     let Some(span) = fits::moving_part(scope, expr) else {
         return Some(());
     };
-    let (message, reason) = match scope.names.pins.contains(&point.to_string()) {
+    let (message, reason) = match scope.names.is_of_pins(point) {
         true => (
             format!("`{point}` is drawn in one pose; its place there cannot depend on an input"),
             "the input drives a link, `drive LINK.angle = …;`, and the pins move with it".into(),

@@ -36,6 +36,10 @@ pub(super) fn member(
             friction_is_implicit(scope, member);
             None
         }
+        None if member == "x" || member == "y" => {
+            uses::point(scope, owner);
+            None
+        }
         _ => member_of_link(scope, owner, member, allowed),
     }
 }

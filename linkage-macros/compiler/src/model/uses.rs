@@ -13,11 +13,11 @@ use crate::model::scope::Scope;
 pub(super) fn name_is_new(scope: &mut Scope<'_>, name: &Ident) -> Option<()> {
     let text = name.to_string();
     let index = *scope.names.by_name.get(&text)?;
+    let is_a_pin = scope.names.is_of_pins(name);
     let symbol = &mut scope.names.symbols[index];
     if symbol.declared {
         symbol.ambiguous = true;
-        let is_drawn_twice = symbol.made_by == format!("ground {text}");
-        if is_drawn_twice && scope.names.pins.contains(&text) {
+        if is_a_pin && symbol.made_by == format!("ground {text}") {
             let message = format!("leave out `{text}` here");
             let reason = "a point of the ground is a pin of the links through it already";
             scope.diagnostics.error_because(name.span(), message, reason);
@@ -74,6 +74,10 @@ pub(super) fn usable(scope: &mut Scope<'_>, name: &Ident, kinds: &[Kind]) -> Opt
     }
     if symbol.statement >= scope.names.current {
         if symbol.statement == scope.names.current {
+            if scope.drawn.is_some() && [Kind::Point, Kind::Link].contains(&symbol.kind) {
+                moves_with_its_reader(scope, name);
+                return None;
+            }
             let message = format!("`{name}` is used inside the statement that makes it");
             let reason = "a statement can use what earlier ones have made";
             scope.diagnostics.error_because(name.span(), message, reason);
@@ -84,6 +88,13 @@ pub(super) fn usable(scope: &mut Scope<'_>, name: &Ident, kinds: &[Kind]) -> Opt
         return None;
     }
     symbol.entity
+}
+
+/// Reports a point or a link of a drawing that moves with what is made of it.
+pub(super) fn moves_with_its_reader(scope: &mut Scope<'_>, name: &Ident) {
+    let message = format!("`{name}` moves with what reads it here");
+    let reason = "a drive, a length or a place reads what does not move with it";
+    scope.diagnostics.error_because(name.span(), message, reason);
 }
 
 /// Remembers that an unknown name for a number may be an input, or hold one.

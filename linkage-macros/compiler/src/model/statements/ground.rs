@@ -35,7 +35,12 @@ impl Rules for GroundStatement {
     }
 }
 
-fn ground(scope: &mut Scope<'_>, docs: &[Attribute], points: &[(Ident, [Expr; 2])]) {
+/// Points that stand still.
+pub(in crate::model) fn ground(
+    scope: &mut Scope<'_>,
+    docs: &[Attribute],
+    points: &[(Ident, [Expr; 2])],
+) {
     for (name, place) in points {
         let point = declared::add_point(scope, docs, name, PartOf::Ground);
         let at = [0, 1].map(|i| {

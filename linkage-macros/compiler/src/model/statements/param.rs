@@ -102,9 +102,7 @@ fn param_is_a_constant(
     let value = match quantity.rest.constant() {
         Some(value) if quantity.links.is_empty() => value.clone(),
         _ => {
-            let message = format!("the default of `{name}` is not a constant");
-            let reason = "`let` names an expression of inputs and parameters";
-            scope.diagnostics.error_because(default.span, message, reason);
+            report_no_constant(scope, name, default);
             return None;
         }
     };
@@ -117,6 +115,13 @@ fn param_is_a_constant(
     };
     let (dimension, written_in) = (measure.dimension(), unit_written(default));
     Some((ParamKind::Number { dimension, default: value, written_in }, measure))
+}
+
+/// Reports a default that is no constant.
+pub(in crate::model) fn report_no_constant(scope: &mut Scope<'_>, name: &Ident, default: &Expr) {
+    let message = format!("the default of `{name}` is not a constant");
+    let reason = "`let` names an expression of inputs and parameters";
+    scope.diagnostics.error_because(default.span, message, reason);
 }
 
 /// The unit behind a number.

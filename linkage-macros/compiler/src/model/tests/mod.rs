@@ -4,6 +4,7 @@ mod actions;
 mod class_three;
 mod constants;
 mod drawn;
+mod drawn_numbers;
 mod driving;
 mod expressions;
 mod fields;

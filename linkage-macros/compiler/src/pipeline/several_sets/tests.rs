@@ -91,7 +91,7 @@ fn mistakes_of_sets() {
         ("input hand { x = tool.x, y = tool.y } output twice = 2 * a, tool;", ""),
         (
             "input hand { x = tool.x, y = tool.y } guide g through (0, 0) along a; link r() on g; drive r.slide = 0;",
-            "g#1: `g` has no place in the drawing / a guide goes through a point and along an angle or towards a point, on a link whose own guide does not stand on it; it is so where `motors` drives\na: no input, parameter or `let` named `a` / declared so far: `x`, `y`; it is so where `hand` drives",
+            "a: `g` has no place in the drawing / a guide goes through a point and along an angle or towards a point, on a link whose own guide does not stand on it",
         ),
         (
             "input hand { x = tool.x, B = tool.y }",
@@ -111,7 +111,7 @@ fn mistakes_of_sets() {
         ),
         (
             "input hand { x = tool.x, y = tool.y } point P on BC at (10mm * a, 0);",
-            "P: `P` has no place in the drawing / its place on the link depends on an input, or on the point itself; it is so where `motors` drives\na: no input, parameter or `let` named `a` / declared so far: `x`, `y`; it is so where `hand` drives",
+            "a: `P` has no place in the drawing / its place on the link depends on an input, or on the point itself",
         ),
         ("input hand { x = tool.x, y = tool.y } crank AG(A) -> G { length: 10mm, angle: a }", ""),
         (

@@ -59,12 +59,8 @@ pub(in crate::model::drawn) fn written(reader: &mut Reader<'_, '_, '_>) -> Optio
             Some(PointPlace::Distances([first, second], _)) => (vec![first, second], vec![]),
             Some(PointPlace::Mistake) | None => (vec![], vec![]),
         };
-        if reader.values.are_in_error(&lengths, &angles) {
-            return None;
-        }
-        let message = format!("`{name}` has no place in the drawing");
         let reason = "its place on the link depends on an input, or on the point itself";
-        reader.report(&name, message, reason.to_string());
+        reader.values.report_unplaced(&name, (&lengths, &angles), reason);
         return None;
     }
     if let Some(guide) = lines.iter().position(|is_known| !is_known) {
@@ -85,19 +81,20 @@ fn report_line(reader: &mut Reader<'_, '_, '_>, guide: usize) {
         reader.report(point, message, format!("or towards a point: `towards {point}`"));
         return;
     }
-    let named = written_line(reader, guide).map(guide_points);
+    let written = written_line(reader, guide);
+    let named = written.map(guide_points);
     if named.into_iter().flatten().flatten().any(|point| reader.pin(point).is_none()) {
         return;
     }
+    let through = match written.map(|guide| &guide.through) {
+        Some(GuideAnchor::At([x, y])) => vec![x, y],
+        _ => Vec::new(),
+    };
     let along: Vec<_> = reader.guides[guide].along.into_iter().collect();
-    if reader.values.are_in_error(&[], &along) {
-        return;
-    }
-    let name = reader.guides[guide].name.clone();
-    let message = format!("`{name}` has no place in the drawing");
     let reason = "a guide goes through a point and along an angle or towards a point, on a link \
                   whose own guide does not stand on it";
-    reader.report(&name, message, reason.to_string());
+    let name = reader.guides[guide].name;
+    reader.values.report_unplaced(name, (&through, &along), reason);
 }
 
 /// The place in the drawing of a point that is declared on a link.

@@ -222,7 +222,7 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
             return None;
         }
         match &field.value {
-            GroupFieldValue::One(value) => Some((value, self.values.length(value))),
+            GroupFieldValue::One(value) => Some((value, self.values.declared_length(value))),
             GroupFieldValue::Pair(_) => {
                 self.report(
                     &field.name,
