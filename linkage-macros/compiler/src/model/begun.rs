@@ -55,6 +55,7 @@ pub(super) fn names(items: &[Item<'_>]) -> Names {
                 kind,
                 statement: index,
                 made_by,
+                is_drawn: item.written.is_none(),
                 is_a_pin,
                 entity: None,
                 declared: false,

@@ -11,11 +11,7 @@ use crate::model::mechanism::{Sign, StandsFor};
 /// The links of a drawing as groups have made them.
 #[derive(Default)]
 pub(in crate::model) struct DrawnLinks {
-    /// Every link that groups of the drawing make, whether drawn or hidden.
-    pub made: Vec<Ident>,
-    /// All names that nobody has written.
-    pub names: Vec<Ident>,
-    /// Links and unknowns among them, and what each stands for.
+    /// Links and unknowns that nobody has written, and what each stands for.
     pub hidden: Vec<(Ident, StandsFor)>,
     /// The links whose groups gave them other frames than their statements.
     pub frames: Vec<FrameFound>,

@@ -29,7 +29,7 @@ pub(in crate::model) fn mode_as_drawn(scope: &Scope<'_>, group: &GroupStatement)
 
 /// True if a group of a drawing makes the link.
 pub(in crate::model) fn is_drawn(scope: &Scope<'_>, link: &Ident) -> bool {
-    scope.drawn.is_some_and(|drawn| drawn.made.contains(link))
+    scope.names.symbol(link).is_some_and(|symbol| symbol.is_drawn)
 }
 
 /// The link by whose joint a link slides; `None` where that is not made yet, which is reported.

@@ -218,8 +218,7 @@ fn walked<'d>(
 ) -> Scope<'d> {
     let mut scope = begun::scope(tree, items, &tree.unread, diagnostics);
     scope.drawn = drawn;
-    let made = drawn.map_or(&[][..], |drawn| &drawn.names);
-    scope.names.hide(&[made, &tree.unwritten.names].concat());
+    scope.names.hide_unwritten(&scope.mechanism.references);
     statement_walk::items(&mut scope, items);
     unknowns::every_unknown_is_solved(&mut scope, tree);
     drawn_joints::links_are_as_drawn(&mut scope);

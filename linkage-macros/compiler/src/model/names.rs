@@ -9,7 +9,8 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::{Ident, Span};
 
 use crate::model::mechanism::{
-    GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId, UnknownId,
+    GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, References, SpringId, StopId,
+    UnknownId,
 };
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +78,8 @@ pub(super) struct Symbol {
     pub statement: usize,
     /// The statement as messages call it: `crank AB`, `param l`.
     pub made_by: String,
+    /// True if a drawing became what makes it.
+    pub is_drawn: bool,
     /// True for the pin of a group.
     pub is_a_pin: bool,
     /// `None` until its statement is reached, and for good where that was in error.
@@ -132,11 +135,10 @@ impl Names {
         }
     }
 
-    /// No message proposes these names.
-    pub(super) fn hide(&mut self, hidden: &[Ident]) {
-        let is_hidden = |symbol: &Symbol| hidden.iter().any(|name| *name == symbol.name);
+    /// No message proposes names other than these.
+    pub(super) fn hide_unwritten(&mut self, written: &References) {
         for symbol in &mut self.symbols {
-            symbol.is_hidden = is_hidden(symbol);
+            symbol.is_hidden = !written.made.iter().any(|(name, _)| *name == symbol.name);
         }
     }
 

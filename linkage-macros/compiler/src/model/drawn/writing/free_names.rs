@@ -12,10 +12,7 @@ use crate::syntax::tree::{Declaration, OutputStatement, StatementKind};
 use crate::model::references::names_used;
 use crate::model::statements::declared_by;
 
-pub(in crate::model) struct FreeNames {
-    taken: HashSet<String>,
-    pub made: Vec<Ident>,
-}
+pub(in crate::model) struct FreeNames(HashSet<String>);
 
 impl FreeNames {
     pub(in crate::model) fn of(tree: &Declaration) -> Self {
@@ -27,7 +24,7 @@ impl FreeNames {
                 taken.extend(items.iter().filter_map(|item| Some(item.name.as_ref()?.to_string())));
             }
         }
-        Self { taken, made: Vec::new() }
+        Self(taken)
     }
 
     /// The name, with this ending as often as it takes until it is free.
@@ -42,9 +39,7 @@ impl FreeNames {
         names: impl Iterator<Item = String>,
         span: Span,
     ) -> Ident {
-        let mut free = names.filter(|name| self.taken.insert(name.clone()));
-        let name = Ident::new(&free.next().expect("there is always another name"), span);
-        self.made.push(name.clone());
-        name
+        let mut free = names.filter(|name| self.0.insert(name.clone()));
+        Ident::new(&free.next().expect("there is always another name"), span)
     }
 }

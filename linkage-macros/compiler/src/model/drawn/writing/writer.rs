@@ -68,7 +68,7 @@ impl<'b, 't> Writer<'b, 't> {
     pub(in crate::model::drawn) fn finish(self) -> (Vec<Written<'t>>, DrawnLinks) {
         let (bars, joints) = (self.frames.bars_between_pins(&self.bars), self.frames.joints());
         let angles = self.frames.counted_angles();
-        let Self { bodies, frames, mut written, mut links, names, replaced, .. } = self;
+        let Self { bodies, frames, mut written, mut links, replaced, .. } = self;
         for (index, statement) in bodies.other_statements() {
             if is_point_of(&replaced, &statement.kind) {
                 continue;
@@ -92,11 +92,8 @@ impl<'b, 't> Writer<'b, 't> {
             written.push(Written { behind: index, search: None, source });
         }
         written.sort_by_key(|written| written.behind);
-        let drawn = bodies.links.iter().filter(|link| !link.is_given);
-        let hidden = links.hidden.iter().map(|(name, _)| name);
-        links.made = drawn.map(|link| link.name).chain(hidden).cloned().collect();
         (links.bars, links.joints, links.angles) = (bars, joints, angles);
-        (links.names, links.frames) = (names.made, frames.found());
+        links.frames = frames.found();
         (ordered(written, &links.slides), links)
     }
 
