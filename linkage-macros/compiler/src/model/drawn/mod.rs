@@ -62,9 +62,10 @@ fn is_point_of(points: &[Ident], kind: &StatementKind) -> bool {
 
 /// The mechanism that a drawing means.
 pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
-    let turned = reading::couplings::turned_round(tree);
+    let mut values = Measured::of(tree, diagnostics)?;
+    let turned = reading::couplings::turned_round(tree, &mut values);
     let CutDrawing { items, links, inputs, outline } =
-        cut(turned.as_ref().unwrap_or(tree), diagnostics)?;
+        cut(turned.as_ref().unwrap_or(tree), values)?;
     let items: Vec<_> = items.iter().map(Written::item).collect();
     let scope = super::walked(tree, &items, diagnostics, Some(&links));
     let mut mechanism = (scope.diagnostics.count() == 0).then_some(scope.mechanism)?;
@@ -85,8 +86,7 @@ pub(super) fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Opti
 }
 
 /// The drawing as groups; `None` where it is in error, which was reported.
-fn cut<'t>(tree: &'t Declaration, diagnostics: &mut Diagnostics) -> Option<CutDrawing<'t>> {
-    let mut values = Measured::of(tree, diagnostics)?;
+fn cut<'t>(tree: &'t Declaration, mut values: Measured<'_>) -> Option<CutDrawing<'t>> {
     let (mut reader, drives) = Reader::of(tree, &mut values)?;
     if tree.is_damaged {
         // Freedoms are counted from all statements, and one was not understood.

@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 
 use crate::chain::count;
 use crate::chain::machine::Machine;
-use crate::diagnostics::{Diagnostics, Extent};
+use crate::diagnostics::Extent;
 use crate::syntax::tree::{BinaryOp, Declaration, DriveStatement, Expr, ExprKind, StatementKind};
 
 use crate::model::drawn::reading::framing;
@@ -19,7 +19,10 @@ const TRIED: usize = 6;
 
 /// The declaration with as few couplings as possible turned round, where without that its drives and its freedoms do not
 /// match; `None` where they do, or no choice helps.
-pub(in crate::model::drawn) fn turned_round(tree: &Declaration) -> Option<Declaration> {
+pub(in crate::model::drawn) fn turned_round(
+    tree: &Declaration,
+    values: &mut Measured<'_>,
+) -> Option<Declaration> {
     let couplings: Vec<_> = (0..tree.statements.len())
         .filter_map(|index| match &tree.statements[index].kind {
             StatementKind::Drive(drive) => Some((index, inverted(tree, drive)?)),
@@ -27,7 +30,7 @@ pub(in crate::model::drawn) fn turned_round(tree: &Declaration) -> Option<Declar
         })
         .take(TRIED)
         .collect();
-    if couplings.is_empty() || are_driven(tree) != Some(false) {
+    if couplings.is_empty() || are_driven(tree, values) != Some(false) {
         return None;
     }
     let mut choices: Vec<u32> = (1..1 << couplings.len()).collect();
@@ -39,39 +42,32 @@ pub(in crate::model::drawn) fn turned_round(tree: &Declaration) -> Option<Declar
                 other.statements[*index].kind = StatementKind::Drive(drive.clone());
             }
         }
-        (are_driven(&other) == Some(true)).then_some(other)
+        (are_driven(&other, values) == Some(true)).then_some(other)
     })
 }
 
 /// True if drives and freedoms match, and no drive reads what it moves; none where the drawing is in error, which is
 /// reported elsewhere.
-fn are_driven(tree: &Declaration) -> Option<bool> {
-    let mut diagnostics = Diagnostics::new();
-    let driven = machine(tree, &mut diagnostics, |machine| {
-        if !count::troubles(machine).is_empty() {
-            return false;
-        }
-        let groups = count::groups(machine);
-        machine.drives.iter().all(|drive| {
-            let mut own =
-                groups.iter().filter(|group| drive.bodies.iter().any(|b| group.contains(b)));
-            own.all(|group| !drive.reads.iter().any(|read| group.contains(read)))
-        })
-    });
-    let _ = diagnostics.finish();
-    driven
+fn are_driven(tree: &Declaration, values: &mut Measured<'_>) -> Option<bool> {
+    let before = values.scope.diagnostics.count();
+    let machine = machine(tree, values);
+    values.scope.diagnostics.forget_since(before);
+    let machine = machine?;
+    if !count::troubles(&machine).is_empty() {
+        return Some(false);
+    }
+    let groups = count::groups(&machine);
+    Some(machine.drives.iter().all(|drive| {
+        let mut own = groups.iter().filter(|group| drive.bodies.iter().any(|b| group.contains(b)));
+        own.all(|group| !drive.reads.iter().any(|read| group.contains(read)))
+    }))
 }
 
-/// The answer of a function about the machine that is drawn.
-fn machine<T>(
-    tree: &Declaration,
-    diagnostics: &mut Diagnostics,
-    f: impl FnOnce(&Machine) -> T,
-) -> Option<T> {
-    let mut values = Measured::of(tree, diagnostics)?;
-    let (mut reader, drives) = Reader::of(tree, &mut values)?;
+/// The machine that is drawn.
+fn machine(tree: &Declaration, values: &mut Measured<'_>) -> Option<Machine> {
+    let (mut reader, drives) = Reader::of(tree, values)?;
     let frames = framing::written(&mut reader)?;
-    Some(f(&reader.machine(drives, frames)?.machine))
+    Some(reader.machine(drives, frames)?.machine)
 }
 
 /// The drive of the link that another drive reads, where it reads one alone, once, in sums and products. The angle of a

@@ -14,7 +14,7 @@ use crate::syntax::tree::{
 use crate::model::begun;
 use crate::model::drawn::outline::bodies::{GuideLine, LinkOutline, PinPlace};
 use crate::model::drawn::outline::loose;
-use crate::model::drawn::reading::values::Measured;
+use crate::model::drawn::reading::values::{Measured, drawn_points};
 use crate::model::figures::Figure;
 use crate::model::items::items;
 use crate::model::names::Kind;
@@ -107,17 +107,10 @@ impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
     }
 
     fn read_pins(&mut self) {
-        for statement in &self.tree.statements {
-            let (StatementKind::Ground(GroundStatement { points })
-            | StatementKind::Pin(PinStatement { points })) = &statement.kind
-            else {
-                continue;
-            };
-            for (name, _) in points {
-                let Some(at) = self.values.places.get(&name.to_string()).cloned() else { continue };
-                self.pin_of.insert(name.to_string(), self.pins.len());
-                self.pins.push(PinPlace { name: name.clone(), at, on: None, apart: None });
-            }
+        for (name, _) in drawn_points(self.tree) {
+            let Some(at) = self.values.places.get(&name.to_string()).cloned() else { continue };
+            self.pin_of.insert(name.to_string(), self.pins.len());
+            self.pins.push(PinPlace { name: name.clone(), at, on: None, apart: None });
         }
         for statement in &self.tree.statements {
             let StatementKind::Point(PointStatement { name, on, .. }) = &statement.kind else {
