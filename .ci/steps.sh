@@ -51,13 +51,10 @@ step() {
     table+=("$(awk "BEGIN { printf \"%6d %9.0f %9.1f\", $took, $cpu, 2 * $cpu / ($yard + $unit) }")  $name")
 }
 
-# The compiler's own tests with these arguments, by the build of the README's command: cargo would build them once more,
-# with the features of this package alone.
+# The compiler's own tests with these arguments, by the build of the README's command: alone they would ask for another
+# build of the run-time.
 compiler_tests() {
-    local binary built=target/compiler_tests.txt
-    cargo test --no-run >$built 2>&1 || { cat $built >&2 && return 1; }
-    binary=$(sed -n 's/.*unittests src.lib.rs (\(.*linkage_compiler-[0-9a-f]*\))$/\1/p' $built)
-    binary=$(realpath "$binary") && (cd linkage-macros/compiler && "$binary" "$@")
+    cargo test --test compiler -- "$@"
 }
 
 # Says that something was left out.

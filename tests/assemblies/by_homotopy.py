@@ -2,7 +2,7 @@
 """Counts the assemblies of trusses by homotopy, for the tests of `linkage-macros/compiler/src/chain/assemblies`.
 
     python3 -m pip install numpy
-    python3 tests/assemblies/by_homotopy.py > linkage-macros/compiler/src/chain/assemblies/tests/counts.txt
+    python3 tests/assemblies/by_homotopy.py > linkage-macros/compiler/tests/chain/assemblies/counts.txt
 
 A truss of n links has 3 (n - 1)/2 pins, each of two links, and no rigid part. The first link stands still. Nothing is shared with
 the compiler's way: there is no cut, no dyad, no unknown and no circle. Every link turns by a number z from its drawing, and w stands for

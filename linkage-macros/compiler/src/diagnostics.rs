@@ -1,13 +1,7 @@
 //! Collects mistakes, and stops at the barriers between phases.
 
 mod retold;
-#[cfg(test)]
-mod told;
-
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-
-#[cfg(test)]
-pub(crate) use told::told;
 
 /// The gravity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,20 +51,21 @@ impl Diagnostic {
     }
 
     /// The mistake as a compile error at its tokens.
-    pub(crate) fn compile_error(&self) -> TokenStream {
+    pub fn compile_error(&self) -> TokenStream {
         let at = [self.first, self.last].map(|span| TokenTree::Ident(Ident::new("_", span)));
         syn::Error::new_spanned(TokenStream::from_iter(at), self.text()).into_compile_error()
     }
 
     /// The message and its second line.
-    pub(crate) fn text(&self) -> String {
+    pub fn text(&self) -> String {
         let note = self.note.iter().flat_map(|note| ["\n", note]);
         std::iter::once(&self.message[..]).chain(note).collect()
     }
 }
 
 /// The mistakes and notes found so far. Dropping it without asking is a bug of the compiler, so it panics.
-pub(crate) struct Diagnostics {
+#[derive(Default)]
+pub struct Diagnostics {
     mistakes: Vec<Diagnostic>,
     notes: Vec<Diagnostic>,
     asked: bool,
@@ -78,7 +73,7 @@ pub(crate) struct Diagnostics {
 
 /// The tokens of a mistake, from the first to the last.
 #[derive(Clone, Copy)]
-pub(crate) struct Extent {
+pub struct Extent {
     first: Span,
     last: Span,
 }
@@ -90,7 +85,7 @@ impl From<Span> for Extent {
 }
 
 impl Extent {
-    pub(crate) fn between(first: Span, last: Span) -> Self {
+    pub fn between(first: Span, last: Span) -> Self {
         Self { first, last }
     }
 
@@ -107,11 +102,11 @@ impl Extent {
 
 /// All mistakes of one declaration, in the order of the source.
 #[derive(Debug)]
-pub(crate) struct Failure(pub Vec<Diagnostic>);
+pub struct Failure(pub Vec<Diagnostic>);
 
 impl Diagnostics {
-    pub(crate) fn new() -> Self {
-        Self { mistakes: Vec::new(), notes: Vec::new(), asked: false }
+    pub fn new() -> Self {
+        Self::default()
     }
 
     /// Takes back what was reported after so many mistakes.
@@ -120,13 +115,13 @@ impl Diagnostics {
     }
 
     /// Reports a mistake at the tokens that made it: one line that says what to do.
-    pub(crate) fn error(&mut self, at: impl Into<Extent>, message: impl std::fmt::Display) {
+    pub fn error(&mut self, at: impl Into<Extent>, message: impl std::fmt::Display) {
         let mistake = Diagnostic::new(Level::Mistake, at.into(), message.to_string(), None);
         self.mistakes.push(mistake);
     }
 
     /// Reports a mistake whose second line carries the reason or the nearest name.
-    pub(crate) fn error_because(
+    pub fn error_because(
         &mut self,
         at: impl Into<Extent>,
         message: impl std::fmt::Display,
@@ -138,7 +133,7 @@ impl Diagnostics {
     }
 
     /// Notes what is no mistake, with a second line that says what to do. The same note twice is one.
-    pub(crate) fn note_because(
+    pub fn note_because(
         &mut self,
         at: impl Into<Extent>,
         message: impl std::fmt::Display,
@@ -152,25 +147,25 @@ impl Diagnostics {
     }
 
     /// The notes so far, in the order of the source.
-    pub(crate) fn take_notes(&mut self) -> Vec<Diagnostic> {
+    pub fn take_notes(&mut self) -> Vec<Diagnostic> {
         self.notes.sort_by_cached_key(|note| place(note.first));
         std::mem::take(&mut self.notes)
     }
 
     /// Takes over a mistake that `syn` found.
-    pub(crate) fn adopt(&mut self, error: syn::Error) {
+    pub fn adopt(&mut self, error: syn::Error) {
         self.mistakes.extend(Diagnostic::adopted(error));
     }
 
     /// The count of mistakes reported so far. Equal counts before and after a step mean that the step found
     /// none.
-    pub(crate) fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.mistakes.len()
     }
 
     /// The end of a phase: go on only where nothing was reported. Mistakes come in the order of
     /// the source, whichever phase found them.
-    pub(crate) fn barrier(&mut self) -> Result<(), Failure> {
+    pub fn barrier(&mut self) -> Result<(), Failure> {
         if self.mistakes.is_empty() {
             return Ok(());
         }
@@ -180,14 +175,13 @@ impl Diagnostics {
     }
 
     /// The mistakes themselves, for tests that ask where they were made.
-    #[cfg(test)]
-    pub(crate) fn into_mistakes(mut self) -> Vec<Diagnostic> {
+    pub fn into_mistakes(mut self) -> Vec<Diagnostic> {
         self.asked = true;
         std::mem::take(&mut self.mistakes)
     }
 
     /// The end of the last phase.
-    pub(crate) fn finish(mut self) -> Result<(), Failure> {
+    pub fn finish(mut self) -> Result<(), Failure> {
         let result = self.barrier();
         self.asked = true;
         result
@@ -216,10 +210,7 @@ fn place(span: Span) -> (usize, usize) {
 
 /// The candidate nearest to `name`, where one is near enough to have been meant; one that has
 /// nothing in common with a short name is not.
-pub(crate) fn nearest<'a>(
-    name: &str,
-    candidates: impl Iterator<Item = &'a str>,
-) -> Option<&'a str> {
+pub fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let length = name.chars().count();
     let allowed = length.div_ceil(3).min(length.saturating_sub(1));
     candidates
@@ -232,7 +223,7 @@ pub(crate) fn nearest<'a>(
 }
 
 /// Optimal string alignment distance, letter case free of charge.
-fn distance(a: &str, b: &str) -> usize {
+pub fn distance(a: &str, b: &str) -> usize {
     let a: Vec<char> = a.to_lowercase().chars().collect();
     let b: Vec<char> = b.to_lowercase().chars().collect();
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
@@ -251,128 +242,4 @@ fn distance(a: &str, b: &str) -> usize {
         }
     }
     rows[a.len()][b.len()]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn messages(failure: Failure) -> Vec<String> {
-        failure.0.iter().map(Diagnostic::text).collect()
-    }
-
-    #[test]
-    fn every_mistake_is_reported_in_the_order_of_appearance() {
-        let mut diagnostics = Diagnostics::new();
-        diagnostics.error(Span::call_site(), "first");
-        diagnostics.error_because(Span::call_site(), "second", "its reason");
-        diagnostics.adopt(syn::Error::new(Span::call_site(), "third"));
-        assert_eq!(diagnostics.count(), 3);
-        let failure = diagnostics.finish().expect_err("three mistakes were reported");
-        assert_eq!(messages(failure), ["first", "second\nits reason", "third"]);
-    }
-
-    #[test]
-    fn a_note_is_no_mistake_and_is_told_once_in_the_order_of_the_source() {
-        let tokens: TokenStream = "a\nb".parse().expect("these are tokens");
-        let mut diagnostics = Diagnostics::new();
-        for tree in tokens.into_iter().collect::<Vec<_>>().into_iter().rev() {
-            diagnostics.note_because(tree.span(), &tree, "why");
-            diagnostics.note_because(tree.span(), &tree, "why");
-        }
-        assert!(diagnostics.barrier().is_ok() && diagnostics.count() == 0);
-        let notes = diagnostics.take_notes();
-        assert!(notes.iter().all(|note| note.level == Level::Note));
-        assert_eq!(messages(Failure(notes)), ["a\nwhy", "b\nwhy"]);
-        assert!(diagnostics.finish().is_ok());
-    }
-
-    #[test]
-    fn mistakes_come_in_the_order_of_the_source() {
-        let tokens: TokenStream = "a\nb c".parse().expect("these are tokens");
-        let mut diagnostics = Diagnostics::new();
-        for tree in tokens.into_iter().collect::<Vec<_>>().into_iter().rev() {
-            diagnostics.error(tree.span(), &tree);
-        }
-        let failure = diagnostics.finish().expect_err("three mistakes were reported");
-        assert_eq!(messages(failure), ["a", "b", "c"]);
-    }
-
-    #[test]
-    fn a_mistake_is_reported_at_its_token() {
-        let tokens: TokenStream = "a b c".parse().expect("these are tokens");
-        let b = tokens.into_iter().nth(1).expect("there are three");
-        let mut diagnostics = Diagnostics::new();
-        diagnostics.error(b.span(), "here");
-        let failure = diagnostics.finish().expect_err("a mistake was reported");
-        let sources: Vec<_> = failure.0[0]
-            .compile_error()
-            .into_iter()
-            .filter_map(|tree| tree.span().source_text())
-            .collect();
-        assert!(!sources.is_empty() && sources.iter().all(|text| text == "b"), "{sources:?}");
-    }
-
-    #[test]
-    fn a_barrier_stops_after_a_mistake_and_only_then() {
-        let mut diagnostics = Diagnostics::new();
-        assert!(diagnostics.barrier().is_ok());
-        diagnostics.error(Span::call_site(), "late");
-        let failure = diagnostics.barrier().expect_err("a mistake was reported");
-        assert_eq!(messages(failure), ["late"]);
-        // A mistake that a barrier has handed over is not reported twice.
-        assert!(diagnostics.finish().is_ok());
-    }
-
-    #[test]
-    #[should_panic(expected = "diagnostics were dropped without a barrier")]
-    fn forgetting_to_ask_is_a_panic() {
-        drop(Diagnostics::new());
-    }
-
-    #[test]
-    #[should_panic(expected = "diagnostics were dropped without a barrier")]
-    fn a_mistake_behind_a_barrier_must_be_asked_for_again() {
-        let mut diagnostics = Diagnostics::new();
-        assert!(diagnostics.barrier().is_ok());
-        diagnostics.error(Span::call_site(), "late");
-        drop(diagnostics);
-    }
-
-    #[test]
-    fn the_nearest_name_is_one_that_may_have_been_meant() {
-        let names = ["A", "B", "blade", "coupler", "theta", "phi"];
-        for (name, expected) in [
-            ("Bb", Some("B")),
-            ("b", Some("B")),
-            ("balde", Some("blade")),
-            ("blad", Some("blade")),
-            ("bladee", Some("blade")),
-            ("BLADE", Some("blade")),
-            ("copuelr", Some("coupler")),
-            ("thet", Some("theta")),
-            ("quadrant", None),
-            ("Q", None),
-            ("blowtorch", None),
-        ] {
-            assert_eq!(nearest(name, names.into_iter()), expected, "{name}");
-        }
-        assert_eq!(nearest("A", std::iter::empty()), None);
-    }
-
-    #[test]
-    fn a_swap_costs_as_much_as_any_other_slip() {
-        for (a, b, expected) in [
-            ("", "", 0),
-            ("", "abc", 3),
-            ("abc", "", 3),
-            ("rrp", "rpr", 1),
-            ("rrr", "rrp", 1),
-            ("ground", "gorund", 1),
-            ("kitten", "sitting", 3),
-            ("Theta", "theta", 0),
-        ] {
-            assert_eq!(distance(a, b), expected, "{a} {b}");
-        }
-    }
 }

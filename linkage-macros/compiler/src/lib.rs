@@ -56,38 +56,51 @@
 //! the condition that it is positive, in `lower` it can be anything, so results are asked, and in
 //! `codegen` it is `self.l`.
 
+// What is public for tests points to what is not.
+#![allow(rustdoc::private_intra_doc_links)]
+
 #[cfg(feature = "macro")]
 extern crate proc_macro;
 
-mod blocks;
-mod brackets;
-mod chain;
-mod codegen;
-mod diagnostics;
-#[cfg(test)]
-mod drawings;
-mod equations;
-mod exact;
-#[cfg(test)]
-mod expansions;
-mod function;
-#[cfg(test)]
-mod fuzz;
-mod interface;
-mod ir;
-mod lower;
-#[cfg(test)]
-mod mistakes;
-mod model;
-#[cfg(test)]
-mod oracle;
-mod passes;
-mod pipeline;
-mod prove;
-mod reach;
-mod report;
-mod syntax;
-mod written_places;
+// The rooms are public for the tests of this crate alone, which are a package of their own.
+#[doc(hidden)]
+pub mod blocks;
+#[doc(hidden)]
+pub mod brackets;
+#[doc(hidden)]
+pub mod chain;
+#[doc(hidden)]
+pub mod codegen;
+#[doc(hidden)]
+pub mod diagnostics;
+#[doc(hidden)]
+pub mod equations;
+#[doc(hidden)]
+pub mod exact;
+#[doc(hidden)]
+pub mod function;
+#[doc(hidden)]
+pub mod interface;
+#[doc(hidden)]
+pub mod ir;
+#[doc(hidden)]
+pub mod lower;
+#[doc(hidden)]
+pub mod model;
+#[doc(hidden)]
+pub mod passes;
+#[doc(hidden)]
+pub mod pipeline;
+#[doc(hidden)]
+pub mod prove;
+#[doc(hidden)]
+pub mod reach;
+#[doc(hidden)]
+pub mod report;
+#[doc(hidden)]
+pub mod syntax;
+#[doc(hidden)]
+pub mod written_places;
 
 pub use blocks::{by_set, declarations, machine_and_set, solver_name};
 pub use brackets::unbalanced;

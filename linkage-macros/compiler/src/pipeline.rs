@@ -1,12 +1,12 @@
 //! START HERE: the phases in order, each with what is true after it.
 
-mod assembly_export;
+pub mod assembly_export;
 mod change_points;
 mod common_range;
 mod parsed;
 mod planar_bodies;
 mod printed;
-mod several_sets;
+pub mod several_sets;
 mod transfers_in_c;
 mod written_values;
 
@@ -50,14 +50,13 @@ pub struct Options {
     pub serde: bool,
 }
 
-#[cfg(test)]
 impl Options {
     /// Nothing beside the solver.
-    pub(crate) const NONE: Self = Self { sketch: false, page: false, serde: false };
+    pub const NONE: Self = Self { sketch: false, page: false, serde: false };
     /// The solver, what it is drawn by, and its page.
-    pub(crate) const PAGE: Self = Self { sketch: true, page: true, serde: false };
+    pub const PAGE: Self = Self { sketch: true, page: true, serde: false };
     /// All that can be generated.
-    pub(crate) const ALL: Self = Self { sketch: true, page: true, serde: true };
+    pub const ALL: Self = Self { sketch: true, page: true, serde: true };
 }
 
 /// Generated code and mistakes.
@@ -242,7 +241,7 @@ fn understood(source: TokenStream) -> Result<(Mechanism, Vec<Diagnostic>), Vec<D
 }
 
 /// The declaration, and what it means.
-pub(crate) fn read(
+pub fn read(
     source: TokenStream,
     diagnostics: &mut Diagnostics,
 ) -> (Option<Declaration>, Option<Result<Mechanism, Stub>>) {
@@ -252,7 +251,7 @@ pub(crate) fn read(
 }
 
 /// The meaning of a declaration.
-pub(crate) fn resolved(
+pub fn resolved(
     declaration: &Declaration,
     diagnostics: &mut Diagnostics,
 ) -> Result<Mechanism, Stub> {
@@ -277,7 +276,7 @@ pub(crate) fn resolved(
 }
 
 /// Equations and passes.
-pub(crate) fn program(mechanism: &Mechanism) -> Program {
+pub fn program(mechanism: &Mechanism) -> Program {
     // One graph holds the values of every entry point, written down under the rules: constants
     // are folded exactly, and nothing is added to zero or multiplied by one.
     let program = equations::derive(mechanism, passes::RULES);
@@ -294,7 +293,7 @@ fn solver(mechanism: &Mechanism, text: Option<&str>, options: &Options) -> Token
 }
 
 /// The same for the program by which the mechanism is drawn, which shares nothing with the solver's.
-pub(crate) fn placing(mechanism: &Mechanism) -> Program {
+pub fn placing(mechanism: &Mechanism) -> Program {
     passes::optimise(&equations::placing::derive(mechanism, passes::RULES))
 }
 
@@ -305,7 +304,7 @@ fn marks(mechanism: &Mechanism) -> Option<Program> {
 
 /// The text of a declaration as its author wrote it, with layout and comments; where another macro wrote
 /// it, that of its tokens.
-pub(crate) fn text(source: &TokenStream) -> String {
+pub fn text(source: &TokenStream) -> String {
     let tokens = source.to_string();
     let is_it = |written: &String| {
         let Ok(call) = written.parse::<TokenStream>() else { return false };
@@ -318,7 +317,7 @@ pub(crate) fn text(source: &TokenStream) -> String {
 
 /// Lowering and code generation; the program that places what is drawn and the declaration's text, where it
 /// is drawn.
-pub(crate) fn code(
+pub fn code(
     mechanism: &Mechanism,
     program: &Program,
     drawn: Option<(&Program, Option<&str>)>,
@@ -339,11 +338,7 @@ pub(crate) fn code(
 }
 
 /// The struct and its methods for a declaration with mistakes. They never run: every result is zero.
-pub(crate) fn stub(
-    declaration: &Declaration,
-    mechanism: &Mechanism,
-    options: &Options,
-) -> TokenStream {
+pub fn stub(declaration: &Declaration, mechanism: &Mechanism, options: &Options) -> TokenStream {
     let interface = Interface::of(mechanism);
     // The stub does not know if its only input is the bare angle of a driver. It may therefore have a method
     // too many, which brings no message.

@@ -1,10 +1,10 @@
 //! The ways to assemble a group, as far as they are proved.
 
-pub(crate) use linkage_assemblies::Outcome;
+pub use linkage_assemblies::Outcome;
 
 /// A way to assemble a group.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ListedAssembly {
+pub struct ListedAssembly {
     /// The angle of the unknown from its value in the drawing.
     pub unknown: f64,
     /// The sides of the dyads in their order, a bit each: set where the inner pin is on the left of the way between the outer ones.
@@ -15,7 +15,7 @@ pub(crate) struct ListedAssembly {
 
 /// The ways to assemble a group in the pose of its drawing.
 #[derive(Clone, Debug)]
-pub(crate) struct Assemblies {
+pub struct Assemblies {
     /// The count of complex ones, whatever the lengths are.
     pub at_most: usize,
     pub outcome: Outcome,
@@ -29,7 +29,7 @@ pub(crate) struct Assemblies {
 
 impl Assemblies {
     /// True if these are all assemblies, the drawing among them.
-    pub(crate) fn is_proved(&self) -> bool {
+    pub fn is_proved(&self) -> bool {
         self.outcome == Outcome::Proved && self.drawn.is_some()
     }
 
@@ -46,7 +46,7 @@ impl Assemblies {
     }
 
     /// The angle from the drawing to the nearest other assembly, where it is one of the unknown.
-    pub(crate) fn nearest_other(&self) -> Option<f64> {
+    pub fn nearest_other(&self) -> Option<f64> {
         if self.is_by_another {
             return None;
         }
@@ -58,7 +58,7 @@ impl Assemblies {
 
 /// The nearest other way to assemble a group than the drawing's: an angle by which a body is turned from there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct OtherAssembly {
+pub struct OtherAssembly {
     pub body: usize,
     pub turned: f64,
 }

@@ -59,7 +59,7 @@ impl SearchedGroup {
 
 /// The reasons why no option is chosen.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Unchosen {
+pub enum Unchosen {
     /// The group is at a dead point in the drawing, or next to one.
     DeadPoint,
     /// Each option has a dyad at its limit: of one of them, the first links of its legs.
@@ -69,7 +69,7 @@ pub(super) enum Unchosen {
 }
 
 /// The option whose interval holds longest.
-pub(super) fn chosen(
+pub fn chosen(
     machine: &Machine,
     before: &[Found],
     options: Vec<SearchedGroup>,

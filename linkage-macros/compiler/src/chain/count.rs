@@ -141,7 +141,7 @@ impl Network {
 }
 
 /// The bodies and drives whose freedoms and constraints do not match.
-pub(crate) fn troubles(machine: &Machine) -> Vec<Trouble> {
+pub fn troubles(machine: &Machine) -> Vec<Trouble> {
     let mut network = Network::of(machine, GROUND);
     let full = network.fill();
     let mut troubles = Vec::new();
@@ -187,7 +187,7 @@ fn too_many(machine: &Machine, root: usize, full: &[usize]) -> Trouble {
 
 /// The bodies of each group, every group behind those that it depends on. All constraints can be
 /// held.
-pub(crate) fn groups(machine: &Machine) -> Vec<Vec<usize>> {
+pub fn groups(machine: &Machine) -> Vec<Vec<usize>> {
     let mut network = Network::of(machine, GROUND);
     network.fill();
     let reached = reached(&dependence(machine, &network));

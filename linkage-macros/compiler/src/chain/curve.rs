@@ -21,18 +21,18 @@ const NEIGHBOURS: usize = 6;
 const BEYOND: f64 = 0.02;
 
 /// A motion over a stretch: the points of a curve in the order of the drive.
-pub(super) struct Curve {
-    points: Vec<[f64; 2]>,
-    turns: Option<i32>,
-    is_angle: bool,
-    dead: [Option<DeadPoint>; 2],
+pub struct Curve {
+    pub points: Vec<[f64; 2]>,
+    pub turns: Option<i32>,
+    pub is_angle: bool,
+    pub dead: [Option<DeadPoint>; 2],
     /// The places next to dead points, with their distances from these.
-    near: Vec<[f64; 2]>,
+    pub near: Vec<[f64; 2]>,
 }
 
 /// The terms of a fit beside those of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Beside {
+pub enum Beside {
     Nothing,
     /// Square roots towards dead points at the ends.
     DeadEnds,
@@ -42,9 +42,9 @@ pub(super) enum Beside {
 
 /// A dead point beside an end of the stretch, and the factor c of the root.
 #[derive(Clone, Copy)]
-struct DeadPoint {
-    at: f64,
-    factor: f64,
+pub struct DeadPoint {
+    pub at: f64,
+    pub factor: f64,
 }
 
 impl DeadPoint {
@@ -55,7 +55,7 @@ impl DeadPoint {
     }
 
     /// From drives, unknowns and slopes.
-    fn through(x: [f64; 3], y: [f64; 3], slopes: [f64; 3]) -> Option<Self> {
+    pub fn through(x: [f64; 3], y: [f64; 3], slopes: [f64; 3]) -> Option<Self> {
         let [last, before, _] = slopes.map(|slope| slope * slope);
         let at = x[0] + (x[0] - x[1]) * last / (before - last);
         let is_beside = before > last && (at - x[0]).abs() < 2.0 * (x[0] - x[1]).abs();
@@ -82,12 +82,12 @@ impl Curve {
     }
 
     /// The largest distance of a fit from the points.
-    pub(super) fn off(&self, fit: &Following) -> f64 {
+    pub fn off(&self, fit: &Following) -> f64 {
         self.points.iter().map(|[at, value]| (fit.at(*at) - value).abs()).fold(0.0, f64::max)
     }
 
     /// The fit of a degree with these terms beside: `None` where there is no place for them.
-    pub(super) fn fitted(&self, (degree, beside): (usize, Beside)) -> Option<Following> {
+    pub fn fitted(&self, (degree, beside): (usize, Beside)) -> Option<Following> {
         let has_dead_ends = self.dead.iter().any(Option::is_some);
         let has_roots = match beside {
             Beside::Nothing => false,
@@ -185,7 +185,7 @@ fn fitted(terms: &Terms, left: impl Fn(f64) -> f64, half: f64, degree: usize) ->
 }
 
 /// The value between the points: Lagrange's polynomial through the nearest.
-fn between(points: &[[f64; 2]], x: f64) -> f64 {
+pub fn between(points: &[[f64; 2]], x: f64) -> f64 {
     let above = points.partition_point(|[at, _]| *at < x);
     let first = above.saturating_sub(NEIGHBOURS / 2).min(points.len() - NEIGHBOURS);
     let near = &points[first..first + NEIGHBOURS];
@@ -197,7 +197,7 @@ fn between(points: &[[f64; 2]], x: f64) -> f64 {
 }
 
 /// The powers of the Chebyshev sum of a function on −1…1.
-fn powers(of: impl Fn(f64) -> f64, degree: usize) -> Vec<f64> {
+pub fn powers(of: impl Fn(f64) -> f64, degree: usize) -> Vec<f64> {
     let values: Vec<_> = (0..NODES).map(|node| of(node_angle(node, NODES).cos())).collect();
     powers_through(&values, degree)
 }
@@ -228,96 +228,4 @@ pub(super) fn powers_through(values: &[f64], degree: usize) -> Vec<f64> {
         (before, now) = (now, next);
     }
     sum
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_chebyshev_sum_of_a_polynomial_is_the_polynomial() {
-        let found = powers(|u| 0.5 - 2.0 * u + 3.0 * u * u * u, 5);
-        for (found, wanted) in found.iter().zip([0.5, -2.0, 0.0, 3.0, 0.0, 0.0]) {
-            assert!((found - wanted).abs() < 1e-14, "{found} for {wanted}");
-        }
-    }
-    /// A curve u + c r + b r², r² the distance from a dead point, whose slope falls as r: the factor is c, before
-    /// and behind the end.
-    #[test]
-    fn the_factor_of_a_dead_point_is_that_of_its_root() {
-        let (end, c, b) = (0.3, 0.7, -0.4);
-        for way in [-1.0, 1.0] {
-            let r: [f64; 3] = [0.01, 0.024, 0.047].map(f64::sqrt);
-            let drives = r.map(|r| end + way * r * r);
-            let found =
-                DeadPoint::through(drives, r.map(|r| 2.0 + c * r + b * r * r), r.map(|r| 1.9 * r));
-            let found = found.expect("it is beside the end");
-            // Differences of numbers of order one over differences of roots of 0.05, twice.
-            let off = [found.at - end, found.factor - c].map(f64::abs);
-            assert!(off.iter().all(|off| *off < 1e-12), "{off:?}");
-        }
-    }
-
-    /// A curve that turns back at both ends, S(x) + √z (m + k y) with other factors at each: the fit is this curve, and
-    /// its ends are m and k. Beside an end E, z is its slope there times the distance from E.
-    #[test]
-    fn the_ends_of_a_fit_are_those_of_the_curve() {
-        let (middle, half, mean, skew) = (0.4, 0.9_f64, 0.7, -0.5);
-        let center = (1.0 + half.cos()) / 2.0;
-        let reach = 1.0 - center;
-        type Of = fn([f64; 3]) -> f64;
-        // z, its slope at the first end, y, and S, over the angle or the distance x from the middle.
-        let turning: [Of; 3] = [
-            |[x, center, reach]| 1.0 + (x.cos() - center) / reach,
-            |[x, _, _]| x.sin(),
-            |[x, _, _]| 0.3 + 0.2 * x.cos() - 0.6 * x.sin(),
-        ];
-        let sliding: [Of; 3] = [
-            |[x, _, half]| 1.0 - (x / half).powi(2),
-            |[x, _, half]| x / half,
-            |[x, _, _]| 0.3 - 0.6 * x + 0.2 * x * x,
-        ];
-        let cases =
-            [(true, turning, reach, half.sin() / reach), (false, sliding, half, 2.0 / half)];
-        for (is_angle, [z, y, smooth], unit, fall) in cases {
-            let at = |of: Of, x: f64| of([x, center, unit]);
-            let curve =
-                |x: f64| at(smooth, x) + at(z, x).max(0.0).sqrt() * (mean + skew * at(y, x));
-            let dead = [-1.0, 1.0].map(|side| {
-                let end = side * half;
-                let factor = fall.sqrt() * (mean + skew * at(y, end));
-                Some(DeadPoint { at: middle + end, factor })
-            });
-            let points = (0..=60).map(|i| 0.97 * half * (f64::from(i) / 30.0 - 1.0));
-            let points: Vec<_> = points.map(|x| [middle + x, curve(x)]).collect();
-            let curve = Curve { points, turns: None, is_angle, dead, near: Vec::new() };
-            let fit = curve.fitted((3, Beside::DeadEnds)).expect("it has dead points");
-            let ends = fit.ends.expect("they are asked for");
-            let off = [ends.mean - mean, ends.skew - skew, curve.off(&fit)].map(f64::abs);
-            // A polynomial of the third degree, or two lines in the cosine, holds S as it is. The last nodes lie a step h of
-            // 0.03 beyond the points, where six of these are off by h⁶ |f⁽⁶⁾| ≈ 1e-9.
-            assert!(off.iter().all(|off| *off < 1e-8), "{is_angle}: {off:?}");
-        }
-    }
-
-    /// Between points a step h apart, the polynomial through six of them is off by h⁶ |f⁽⁶⁾|/720 times the distances from
-    /// them in steps: (0.5 · 1.5 · 2.5)² in the middle of them, and 0.5 · 0.5 · 1.5 · 2.5 · 3.5 · 4.5 where they begin or end
-    /// with the points.
-    #[test]
-    fn a_value_between_points_is_interpolated_from_both_sides() {
-        let step = 0.1;
-        let points: Vec<_> = (0..=20).map(|i| f64::from(i) * step).map(|x| [x, x.exp()]).collect();
-        for cell in 0..20 {
-            let x = (f64::from(cell) + 0.5) * step;
-            let beside = match cell {
-                0 | 19 => 0.5 * 0.5 * 1.5 * 2.5 * 3.5 * 4.5,
-                1 | 18 => 0.5 * 1.5 * 0.5 * 1.5 * 2.5 * 3.5,
-                _ => (0.5_f64 * 1.5 * 2.5).powi(2),
-            };
-            // The exponential grows by less than this over five steps.
-            let most = (x + 5.0 * step).exp();
-            let off = (between(&points, x) - x.exp()).abs();
-            assert!(off < step.powi(6) * most / 720.0 * beside, "{cell}: {off:e}");
-        }
-    }
 }

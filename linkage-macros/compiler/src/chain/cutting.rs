@@ -2,12 +2,12 @@
 
 use super::assembly_list::{Assemblies, OtherAssembly};
 use super::fit::{Following, Piece};
-pub(crate) use super::known_parts::{Closing, Placed};
+pub use super::known_parts::{Closing, Placed};
 use super::machine::{Driven, Held, Machine};
 
 /// The step that places bodies once all before it are placed.
 #[derive(Clone, Debug)]
-pub(crate) enum Found {
+pub enum Found {
     /// A body is turned about a pin that is known, by a drive or by the unknown of a search.
     Crank {
         drive: Option<usize>,
@@ -29,7 +29,7 @@ pub(crate) enum Found {
 
 /// A group that is solved by one unknown.
 #[derive(Clone, Debug)]
-pub(crate) struct SearchedGroup {
+pub struct SearchedGroup {
     pub left_out: usize,
     /// The body that a drive holds together with it, at the second joint.
     pub held: Option<(usize, Held)>,
@@ -52,7 +52,7 @@ pub(crate) struct SearchedGroup {
 
 /// A group that is solved by all its unknowns at once.
 #[derive(Clone, Debug)]
-pub(crate) struct TrackedGroup {
+pub struct TrackedGroup {
     /// Drivers, one a body. Those without a drive have an unknown each, in this order.
     pub steps: Vec<Found>,
     pub closings: Vec<Closing>,
@@ -83,7 +83,7 @@ pub(super) fn is_unknown(step: &Found) -> bool {
 
 impl Found {
     /// The bodies that it places.
-    pub(crate) fn bodies(&self) -> Vec<usize> {
+    pub fn bodies(&self) -> Vec<usize> {
         match self {
             Self::Crank { body, .. } | Self::Slider { body, .. } => vec![*body],
             Self::Dyad(dyad) => {
@@ -98,7 +98,7 @@ impl Found {
 
 impl SearchedGroup {
     /// The nearest other assembly that a search in its interval may find where the group is drawn.
-    pub(super) fn other_in_its_interval(&self) -> Option<OtherAssembly> {
+    pub fn other_in_its_interval(&self) -> Option<OtherAssembly> {
         let Found::Crank { body, .. } = self.steps[0] else { return None };
         let from = self.following.as_ref().map_or(0.0, |following| following.at(0.0));
         let ends = self.between.map(|end| from + end);
@@ -107,7 +107,7 @@ impl SearchedGroup {
     }
 
     /// True if the unknown drives the same body in the same way and the same link is left out.
-    pub(super) fn is_the_way_of(&self, other: &Self) -> bool {
+    pub fn is_the_way_of(&self, other: &Self) -> bool {
         let driven = |search: &Self| match search.steps[0] {
             Found::Crank { body, reference, pivot, .. } => Some((body, reference, pivot)),
             _ => None,
@@ -124,7 +124,7 @@ impl SearchedGroup {
 
 /// Two legs, each with a joint outside, and a joint between them.
 #[derive(Clone, Debug)]
-pub(crate) struct Dyad {
+pub struct Dyad {
     pub legs: [DyadLeg; 2],
     pub inner: Pair,
     /// Links of given angle between the first leg, at `inner`, and the second.
@@ -133,7 +133,7 @@ pub(crate) struct Dyad {
 
 /// A link of given angle between the bars of a dyad.
 #[derive(Clone, Debug)]
-pub(crate) struct Carried {
+pub struct Carried {
     pub body: usize,
     /// The pins through which it goes on the way from the first bar to the second.
     pub pins: [usize; 2],
@@ -145,14 +145,14 @@ pub(crate) struct Carried {
 
 /// A body, or two that a drive holds together: first the one at the joint outside.
 #[derive(Clone, Debug)]
-pub(crate) struct DyadLeg {
+pub struct DyadLeg {
     pub bodies: Vec<usize>,
     pub outer: Pair,
     pub held: Option<Held>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Pair {
+pub enum Pair {
     Pin(usize),
     Slide(usize),
 }
@@ -173,7 +173,7 @@ impl Pair {
 
 impl Dyad {
     /// The letters of its joints, from one outside joint to the other.
-    pub(crate) fn letters(&self) -> String {
+    pub fn letters(&self) -> String {
         [self.legs[0].outer, self.inner, self.legs[1].outer].map(Pair::letter).iter().collect()
     }
 
@@ -384,7 +384,7 @@ impl Unplaced<'_> {
 }
 
 /// The drivers and dyads that a group is made of; `None` where it is of class III or higher.
-pub(crate) fn steps(machine: &Machine, known: &Placed, group: &[usize]) -> Option<Vec<Found>> {
+pub fn steps(machine: &Machine, known: &Placed, group: &[usize]) -> Option<Vec<Found>> {
     let parts = group.iter().map(|&body| vec![body]).collect();
     let mut parts = Unplaced { machine, known: known.clone(), parts };
     let steps = parts.place();

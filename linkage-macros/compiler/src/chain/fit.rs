@@ -8,7 +8,7 @@ use super::plane::root;
 
 /// The traced value of an unknown over the first drive, both from the drawing.
 #[derive(Clone, Debug)]
-pub(crate) struct Following {
+pub struct Following {
     /// The middle of the stretch.
     pub middle: f64,
     pub terms: Terms,
@@ -21,14 +21,14 @@ pub(crate) struct Following {
 /// √z (mean + skew y), where z falls to zero at both ends and y is odd. Over an angle z = 1 + u and
 /// y = sin x; along a slide z = 1 − y² and y = x/reach.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DeadEnds {
+pub struct DeadEnds {
     pub mean: f64,
     pub skew: f64,
 }
 
 /// The bend of an angle next to a dead point: √(2 − 2 cos x + width²) (even + odd sin x), with x from there.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct NearDead {
+pub struct NearDead {
     /// The place, from the middle of the stretch.
     pub at: f64,
     pub width: f64,
@@ -37,7 +37,7 @@ pub(crate) struct NearDead {
 }
 
 #[derive(Clone, Debug)]
-pub(crate) enum Terms {
+pub enum Terms {
     /// P(u) + sin x Q(u) + turns x, where u = (cos x − center)/reach.
     Turning { center: f64, reach: f64, even: Vec<f64>, odd: Vec<f64>, turns: i32 },
     /// P(x/reach).
@@ -46,14 +46,14 @@ pub(crate) enum Terms {
 
 /// The unknowns on a stretch of the first drive, from the drawing: polynomials of the place between the ends, from −1 to 1.
 #[derive(Clone, Debug)]
-pub(crate) struct Piece {
+pub struct Piece {
     pub ends: [f64; 2],
     /// By unknown, in radians and metres.
     pub powers: Vec<Vec<f64>>,
 }
 
 impl Following {
-    pub(crate) fn at(&self, drive: f64) -> f64 {
+    pub fn at(&self, drive: f64) -> f64 {
         let x = drive - self.middle;
         let smooth = match &self.terms {
             Terms::Turning { center, reach, even, odd, turns } => {
@@ -99,7 +99,7 @@ impl DeadEnds {
 }
 
 impl NearDead {
-    pub(super) fn at(&self, x: f64) -> f64 {
+    pub fn at(&self, x: f64) -> f64 {
         let (sin, cos) = (x - self.at).sin_cos();
         root(2.0 - 2.0 * cos + self.width * self.width) * (self.even + self.odd * sin)
     }

@@ -44,7 +44,7 @@ const ALMOST_A_TURN: f64 = 1.8 * PI;
 
 /// An interval about a fit, and the stretch on which it is good.
 #[derive(Clone)]
-pub(super) struct Band {
+pub struct Band {
     pub following: Following,
     pub half: f64,
     pub stretch: [f64; 2],
@@ -58,7 +58,7 @@ impl Band {
 
 /// The interval that holds the longest stretch about the drawing. Where intervals in which the equation keeps its trend
 /// do not hold the motion, it may turn back in them.
-pub(super) fn band(trace: &Trace<'_>, search: &SearchedGroup) -> Option<Band> {
+pub fn band(trace: &Trace<'_>, search: &SearchedGroup) -> Option<Band> {
     let [first, .., last] = &trace.samples[..] else { return None };
     let mut rooms = Rooms::of(trace, search);
     let narrow = longest(trace, &rooms);

@@ -4,7 +4,7 @@ use super::machine::Machine;
 
 /// The bodies and pins that are placed.
 #[derive(Clone)]
-pub(crate) struct Placed {
+pub struct Placed {
     bodies: Vec<bool>,
     pins: Vec<bool>,
 }
@@ -12,7 +12,7 @@ pub(crate) struct Placed {
 impl Placed {
     /// The ground and what is given, as if all of it were there: the groups come in an order in which it
     /// is.
-    pub(crate) fn at_first(machine: &Machine) -> Self {
+    pub fn at_first(machine: &Machine) -> Self {
         let mut known = Self {
             bodies: vec![false; machine.bodies.len()],
             pins: vec![false; machine.pins.len()],
@@ -25,7 +25,7 @@ impl Placed {
         known
     }
 
-    pub(crate) fn add(&mut self, machine: &Machine, bodies: &[usize]) {
+    pub fn add(&mut self, machine: &Machine, bodies: &[usize]) {
         for &body in bodies {
             self.bodies[body] = true;
             machine.bodies[body].pins.iter().for_each(|&pin| self.pins[pin] = true);
@@ -43,7 +43,7 @@ impl Placed {
 
 /// A pin at which two bodies that are placed meet.
 #[derive(Clone, Debug)]
-pub(crate) struct Closing {
+pub struct Closing {
     pub pin: usize,
     /// The body whose pin it is not yet.
     pub body: usize,

@@ -6,7 +6,7 @@ use super::plane::Complex;
 
 /// The signed measure of a dyad in the drawing: the sine of the angle between what its links are
 /// held by. Its sign is the assembly mode where the dyad has one, and zero is the limit.
-pub(crate) fn sine(machine: &Machine, dyad: &Dyad) -> f64 {
+pub fn sine(machine: &Machine, dyad: &Dyad) -> f64 {
     let pin = |index: usize| machine.pins[index];
     let slide = |index: usize| machine.slides[index];
     match (dyad.legs[0].outer, dyad.inner, dyad.legs[1].outer) {

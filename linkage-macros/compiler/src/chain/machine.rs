@@ -3,10 +3,10 @@
 use super::plane::Complex;
 
 /// The body that does not move.
-pub(crate) const GROUND: usize = 0;
+pub const GROUND: usize = 0;
 
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Machine {
+pub struct Machine {
     /// The places of the pins in the drawing.
     pub pins: Vec<Complex>,
     /// The ground first.
@@ -23,7 +23,7 @@ pub(crate) struct Machine {
 
 /// A rigid body. A pin of several bodies is a revolute joint between them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct RigidBody {
+pub struct RigidBody {
     pub pins: Vec<usize>,
     /// The bodies and pins from which the body follows by other means, where it is no body of the
     /// chain.
@@ -44,14 +44,14 @@ impl RigidBody {
 
 /// The bodies and pins that a given body depends on.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Footing {
+pub struct Footing {
     pub bodies: Vec<usize>,
     pub pins: Vec<usize>,
 }
 
 /// A prismatic joint: the body slides along a line of the carrier and does not turn against it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Slide {
+pub struct Slide {
     pub body: usize,
     pub carrier: usize,
     /// A point of the line.
@@ -62,7 +62,7 @@ pub(crate) struct Slide {
 
 /// A driven joint: the angle or the slide of a body against another is given.
 #[derive(Clone, Debug)]
-pub(crate) struct Driving {
+pub struct Driving {
     pub kind: Driven,
     /// The body that is driven, and what it is driven against.
     pub bodies: [usize; 2],
@@ -72,7 +72,7 @@ pub(crate) struct Driving {
 
 /// A motion from the drawing: what changes while an input changes by one.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct InputRates {
+pub struct InputRates {
     /// By drive.
     pub drives: Vec<f64>,
     /// The lengths of bars, by body.
@@ -94,13 +94,13 @@ impl InputRates {
 
 /// The drive that holds two bodies together, and the pin that it turns them about.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Held {
+pub struct Held {
     pub drive: usize,
     pub pivot: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Driven {
+pub enum Driven {
     Angle,
     /// Along this slide.
     Slide(usize),
@@ -108,7 +108,7 @@ pub(crate) enum Driven {
 
 impl Machine {
     /// The bodies through a pin.
-    pub(crate) fn at(&self, pin: usize) -> impl Iterator<Item = usize> {
+    pub fn at(&self, pin: usize) -> impl Iterator<Item = usize> {
         (0..self.bodies.len()).filter(move |&body| self.bodies[body].pins.contains(&pin))
     }
 
@@ -140,7 +140,7 @@ impl Machine {
     }
 
     /// The greatest distance between two pins along an axis: the size by which lengths are judged.
-    pub(crate) fn size(&self) -> f64 {
+    pub fn size(&self) -> f64 {
         let extent = |of: fn(&Complex) -> f64| {
             let values = || self.pins.iter().map(of);
             values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)

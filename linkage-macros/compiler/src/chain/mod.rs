@@ -14,28 +14,25 @@
 //! messages. A result decides which groups there are and on which side they assemble, and no
 //! dimension of them.
 
-pub(crate) mod assemblies;
-pub(crate) mod assembly_list;
+pub mod assemblies;
+pub mod assembly_list;
 mod carried;
-mod choice;
-pub(crate) mod count;
-mod curve;
-pub(crate) mod cutting;
-pub(crate) mod fit;
-mod following;
+pub mod choice;
+pub mod count;
+pub mod curve;
+pub mod cutting;
+pub mod fit;
+pub mod following;
 mod known_parts;
-pub(crate) mod limits;
-pub(crate) mod machine;
-mod near_dead;
-pub(crate) mod options;
-pub(crate) mod plane;
-pub(crate) mod pose;
-pub(crate) mod redrawn;
-mod trace;
+pub mod limits;
+pub mod machine;
+pub mod near_dead;
+pub mod options;
+pub mod plane;
+pub mod pose;
+pub mod redrawn;
+pub mod trace;
 pub(crate) mod tracked;
-
-#[cfg(test)]
-mod tests;
 
 use assembly_list::OtherAssembly;
 use choice::Unchosen;
@@ -45,7 +42,7 @@ use tracked::Untracked;
 
 /// The reasons why a machine cannot be divided into groups. Bodies and drives by their indices.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Trouble {
+pub enum Trouble {
     /// The bodies have more constraints than freedoms, whatever the drawing is.
     TooMany {
         bodies: Vec<usize>,
@@ -71,7 +68,7 @@ pub(crate) enum Trouble {
 }
 
 /// The groups of a machine in solving order, or all that keeps it from being cut.
-pub(crate) fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
+pub fn cut(machine: &Machine) -> Result<Vec<Found>, Vec<Trouble>> {
     let troubles = count::troubles(machine);
     if !troubles.is_empty() {
         return Err(troubles);
@@ -138,7 +135,7 @@ fn untracked(cause: Untracked, bodies: &[usize]) -> Trouble {
     }
 }
 
-fn not_chosen(
+pub fn not_chosen(
     cause: Unchosen,
     machine: &Machine,
     bodies: &[usize],

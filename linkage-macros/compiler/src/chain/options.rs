@@ -28,7 +28,7 @@ impl SearchedGroup {
 
 impl SearchedGroup {
     /// The unit of the unknown: a radian, or the size of the machine.
-    pub(super) fn unit(&self, machine: &Machine) -> f64 {
+    pub fn unit(&self, machine: &Machine) -> f64 {
         match self.steps[0] {
             Found::Slider { .. } => machine.size(),
             _ => 1.0,
@@ -37,7 +37,7 @@ impl SearchedGroup {
 }
 
 /// All ways to solve a group by one unknown, angles against the ground first.
-pub(crate) fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<SearchedGroup> {
+pub fn options(machine: &Machine, known: &Placed, group: &[usize]) -> Vec<SearchedGroup> {
     let parts: Vec<_> = group.iter().map(|&body| vec![body]).collect();
     let all = Unplaced { machine, known: known.clone(), parts };
     let set: Vec<_> = (0..group.len()).collect();

@@ -8,49 +8,49 @@ pub(crate) fn root(square: f64) -> f64 {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Complex {
+pub struct Complex {
     pub x: f64,
     pub y: f64,
 }
 
 impl Complex {
-    pub(crate) fn new(x: f64, y: f64) -> Self {
+    pub fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
 
     /// The unit vector at an angle from +x.
-    pub(crate) fn turned(angle: f64) -> Self {
+    pub fn turned(angle: f64) -> Self {
         Self::new(angle.cos(), angle.sin())
     }
 
-    pub(crate) fn length(self) -> f64 {
+    pub fn length(self) -> f64 {
         self.x.hypot(self.y)
     }
 
-    pub(crate) fn angle(self) -> f64 {
+    pub fn angle(self) -> f64 {
         self.y.atan2(self.x)
     }
 
-    pub(crate) fn times(self, factor: f64) -> Self {
+    pub fn times(self, factor: f64) -> Self {
         Self::new(self.x * factor, self.y * factor)
     }
 
     /// The vector mirrored at the x axis.
-    pub(crate) fn conjugate(self) -> Self {
+    pub fn conjugate(self) -> Self {
         Self::new(self.x, -self.y)
     }
 
     /// The unit vector of its direction.
-    pub(crate) fn unit(self) -> Self {
+    pub fn unit(self) -> Self {
         self.times(1.0 / self.length())
     }
 
-    pub(crate) fn dot(self, other: Self) -> f64 {
+    pub fn dot(self, other: Self) -> f64 {
         self.x * other.x + self.y * other.y
     }
 
     /// Positive where the other vector points to the left of this one.
-    pub(crate) fn cross(self, other: Self) -> f64 {
+    pub fn cross(self, other: Self) -> f64 {
         self.x * other.y - self.y * other.x
     }
 }
@@ -85,13 +85,13 @@ impl Neg for Complex {
 
 /// The place of a body seen from the drawing: z ↦ shift + turn z.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Displaced {
+pub struct Displaced {
     pub shift: Complex,
     pub turn: Complex,
 }
 
 impl Displaced {
-    pub(super) fn of(self, place: Complex) -> Complex {
+    pub fn of(self, place: Complex) -> Complex {
         self.shift + self.turn * place
     }
 

@@ -7,10 +7,10 @@ use super::limits::sine;
 use super::machine::{GROUND, Held, Machine};
 use super::plane::{Complex, Displaced, root};
 
-#[cfg(test)]
+#[cfg(debug_assertions)]
 thread_local! {
     /// The count of residuals that were computed, by which tests bound the work of a cut.
-    pub(crate) static RESIDUALS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+    pub static RESIDUALS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
 }
 
 /// Two bodies, and the drive that holds them together.
@@ -18,7 +18,7 @@ type HeldBodies = ([usize; 2], Held);
 
 /// The changes of drives, lengths and unknowns from the drawing.
 #[derive(Default)]
-pub(super) struct PoseChanges {
+pub struct PoseChanges {
     pub drives: Vec<f64>,
     /// The lengths of bars, by body, where any changes.
     pub lengths: Vec<f64>,
@@ -31,13 +31,13 @@ pub(super) struct PoseChanges {
 
 /// Bodies as far as they are placed.
 #[derive(Clone)]
-pub(super) struct Posed<'m> {
-    machine: &'m Machine,
-    of: Vec<Option<Displaced>>,
+pub struct Posed<'m> {
+    pub machine: &'m Machine,
+    pub of: Vec<Option<Displaced>>,
 }
 
 impl<'m> Posed<'m> {
-    pub(super) fn new(machine: &'m Machine) -> Self {
+    pub fn new(machine: &'m Machine) -> Self {
         let mut of = vec![None; machine.bodies.len()];
         of[GROUND] =
             Some(Displaced { shift: Complex::new(0.0, 0.0), turn: Complex::new(1.0, 0.0) });
@@ -71,12 +71,7 @@ impl<'m> Posed<'m> {
     }
 
     /// Places bodies; `None` where a dyad does not assemble or a search has no root nearby.
-    pub(super) fn run(
-        &mut self,
-        steps: &[Found],
-        given: &mut PoseChanges,
-        unknown: f64,
-    ) -> Option<()> {
+    pub fn run(&mut self, steps: &[Found], given: &mut PoseChanges, unknown: f64) -> Option<()> {
         self.follow_given(given);
         let mut searches = 0;
         for step in steps {
@@ -142,7 +137,7 @@ impl<'m> Posed<'m> {
         given: &mut PoseChanges,
         unknown: f64,
     ) -> Option<f64> {
-        #[cfg(test)]
+        #[cfg(debug_assertions)]
         RESIDUALS.with(|count| count.set(count.get() + 1));
         self.run(&search.steps, given, unknown)?;
         let machine = self.machine;
@@ -187,7 +182,7 @@ impl<'m> Posed<'m> {
     }
 
     /// The slope of the equation over the unknown.
-    pub(super) fn slope(
+    pub fn slope(
         &self,
         search: &SearchedGroup,
         given: &mut PoseChanges,
@@ -201,7 +196,7 @@ impl<'m> Posed<'m> {
     }
 
     /// Newton's root of a search beside a start; its bodies are placed there.
-    pub(super) fn solve(
+    pub fn solve(
         &mut self,
         search: &SearchedGroup,
         given: &mut PoseChanges,
@@ -363,6 +358,3 @@ fn real_root(square: f64) -> Option<f64> {
 fn quotient(above: f64, below: f64) -> Option<f64> {
     (below != 0.0).then(|| above / below)
 }
-
-#[cfg(test)]
-mod tests;

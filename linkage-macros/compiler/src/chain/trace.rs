@@ -29,7 +29,7 @@ const MOST_ALONE: f64 = 0.3;
 const WIDER: f64 = 1.15;
 
 /// A pose along the motion: the drive or the input, the unknown, and the bodies before the group.
-pub(super) struct Sample<'m> {
+pub struct Sample<'m> {
     pub drive: f64,
     pub unknown: f64,
     /// The slope of the equation over the unknown, zero at a dead point.
@@ -53,7 +53,7 @@ impl Sample<'_> {
 }
 
 /// The poses of a motion in the order of what drives it.
-pub(super) struct Trace<'m> {
+pub struct Trace<'m> {
     pub machine: &'m Machine,
     way: Way,
     pub samples: Vec<Sample<'m>>,
@@ -65,7 +65,7 @@ pub(super) struct Trace<'m> {
 
 /// A motion, and its step.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
+pub struct Way {
     motion: InputRates,
     pub step: f64,
     /// True if it is one of an angle that turns the machine on by itself.
@@ -74,7 +74,7 @@ pub(super) struct Way {
 
 impl Way {
     /// The motions that are followed: those of the inputs, or that of the first drive.
-    pub(super) fn all(machine: &Machine) -> Vec<Self> {
+    pub fn all(machine: &Machine) -> Vec<Self> {
         let first = match machine.motions.is_empty() {
             true => {
                 let mut drives = vec![0.0; machine.drives.len()];
@@ -128,7 +128,7 @@ impl Way {
 }
 
 /// The drawing.
-pub(super) fn drawn(machine: &Machine) -> PoseChanges {
+pub fn drawn(machine: &Machine) -> PoseChanges {
     PoseChanges {
         drives: vec![0.0; machine.drives.len()],
         unknowns: vec![0.0; machine.bodies.len()],
@@ -138,12 +138,7 @@ pub(super) fn drawn(machine: &Machine) -> PoseChanges {
 
 impl<'m> Trace<'m> {
     /// A motion both ways from the drawing until the option ends.
-    pub(super) fn of(
-        machine: &'m Machine,
-        before: &[Found],
-        search: &SearchedGroup,
-        way: &Way,
-    ) -> Self {
+    pub fn of(machine: &'m Machine, before: &[Found], search: &SearchedGroup, way: &Way) -> Self {
         let mut trace = Self::in_steps(machine, before, search, way.clone());
         let count = trace.samples.len();
         if count < FEWEST && !way.rests() {
@@ -182,7 +177,7 @@ impl<'m> Trace<'m> {
     }
 
     /// The residual of the equation in a pose, over the unknown.
-    pub(super) fn residuals<'t>(
+    pub fn residuals<'t>(
         &'t self,
         search: &'t SearchedGroup,
         sample: &'t Sample<'m>,
@@ -212,7 +207,7 @@ impl<'m> Trace<'m> {
 
     /// The width on both sides of a root on which everything assembles and no other root of the trend lies. The equation
     /// may turn back there, and pass zero against the trend: the search tells such a root apart.
-    pub(super) fn width_alone(&self, search: &SearchedGroup, sample: &Sample<'m>) -> f64 {
+    pub fn width_alone(&self, search: &SearchedGroup, sample: &Sample<'m>) -> f64 {
         let unit = search.unit(self.machine);
         let mut residual = self.residuals(search, sample);
         let mut reach = |side: f64, most: f64| {
@@ -234,7 +229,7 @@ impl<'m> Trace<'m> {
 }
 
 /// The turns of the unknown between two poses a turn apart, if they are one pose: of each the drive and the unknown.
-pub(super) fn closing(search: &SearchedGroup, first: [f64; 2], last: [f64; 2]) -> Option<i32> {
+pub fn closing(search: &SearchedGroup, first: [f64; 2], last: [f64; 2]) -> Option<i32> {
     const TURN: f64 = std::f64::consts::TAU;
     // Roots are found to 1e-11.
     const CLOSED: f64 = 1e-8;

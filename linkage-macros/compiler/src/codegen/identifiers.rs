@@ -27,7 +27,7 @@ impl GeneratedNames {
 }
 
 /// The name of a type or module that does not hide a mechanism of the same name.
-pub(super) fn clear_of(preferred: &str, solver: &Ident) -> Ident {
+pub fn clear_of(preferred: &str, solver: &Ident) -> Ident {
     let clash = if solver == preferred { "_" } else { "" };
     Ident::new(&format!("{preferred}{clash}"), Span::call_site())
 }
@@ -46,7 +46,7 @@ pub(super) const CIRCLE: [&str; 2] = ["cos", "sin"];
 
 /// An argument named after an input, in lower case. It has no span of the input's: an editor would show
 /// every argument of that name where the input is declared.
-pub(super) fn argument(input: &Ident, suffix: &str) -> Ident {
+pub fn argument(input: &Ident, suffix: &str) -> Ident {
     let name = format!("{}{suffix}", input.unraw()).to_lowercase();
     let span = Span::call_site();
     // A keyword or a name that fits nowhere gets a tail, and so does what another argument is called.
@@ -75,29 +75,4 @@ pub(super) fn string(text: &str, span: Span) -> TokenStream {
 /// The identifier as the user wrote it, without `r#`.
 pub(super) fn text(ident: &Ident) -> String {
     ident.unraw().to_string()
-}
-
-#[cfg(test)]
-mod tests {
-    use quote::format_ident;
-
-    use super::*;
-
-    #[test]
-    fn an_argument_is_a_lower_case_identifier() {
-        let named = |name: &str, suffix| argument(&format_ident!("{name}"), suffix).to_string();
-        assert_eq!(named("theta", "_rate"), "theta_rate");
-        assert_eq!(named("Q", ""), "q");
-        assert_eq!(named("As", ""), "as_");
-        assert_eq!(named("out", ""), "out_");
-        let raw = Ident::new_raw("type", Span::call_site());
-        assert_eq!(argument(&raw, "").to_string(), "type_");
-        assert_eq!(argument(&raw, "_rate").to_string(), "type_rate");
-    }
-
-    #[test]
-    fn a_mechanism_may_be_named_like_a_type_parameter() {
-        assert_eq!(clear_of("T", &format_ident!("T")), "T_");
-        assert_eq!(clear_of("T", &format_ident!("U")), "T");
-    }
 }

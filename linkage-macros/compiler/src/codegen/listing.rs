@@ -5,7 +5,7 @@ use linkage_assemblies::{ClosureDegree, PinnedGroup};
 use crate::lower::routine::Lowered;
 
 /// The program of a list's numbers, and the kind of the group.
-pub(crate) struct Listing<'l> {
+pub struct Listing<'l> {
     pub pinned: Lowered<'l>,
     pub group: &'l PinnedGroup,
     pub degree: &'l ClosureDegree,

@@ -14,20 +14,17 @@
 //! | `identifiers`, `text` | names, and what code is written into |
 
 mod arguments;
-pub(crate) mod c;
-pub(crate) mod docs;
+pub mod c;
+pub mod docs;
 mod drawing;
 pub(crate) mod drawn_plan;
-mod identifiers;
+pub mod identifiers;
 pub(crate) mod listing;
 mod printer;
-mod rust;
+pub mod rust;
 pub(crate) mod script;
-pub(crate) mod st;
-mod text;
-
-#[cfg(test)]
-pub(crate) mod tests;
+pub mod st;
+pub mod text;
 
 use proc_macro2::TokenStream;
 
@@ -41,7 +38,7 @@ use crate::model::mechanism::Mechanism;
 
 /// The sources of a drawing: the program that places everything, and of a page the one of masses, couples and wheels,
 /// where there are any, and the declaration's text.
-pub(crate) struct Drawing<'a> {
+pub struct Drawing<'a> {
     pub placing: Lowered<'a>,
     pub marks: Option<Lowered<'a>>,
     pub source: Option<&'a str>,
@@ -49,7 +46,7 @@ pub(crate) struct Drawing<'a> {
 
 /// Everything that the declaration of a mechanism expands to; what it is drawn by and lists of assemblies only where they are
 /// given, and records that serde writes and reads where they are to be serialised.
-pub(crate) fn generate(
+pub fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
     (drawing, listing): (Option<&Drawing<'_>>, Option<&Listing<'_>>),

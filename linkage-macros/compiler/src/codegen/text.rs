@@ -12,7 +12,7 @@ use quote::{ToTokens, TokenStreamExt};
 
 /// Code that is being written.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Text(String);
+pub struct Text(String);
 
 impl Text {
     /// Code of which much is to follow.
@@ -20,7 +20,7 @@ impl Text {
         Self(String::with_capacity(1 << 14))
     }
 
-    pub(super) fn put(&mut self, code: &str) -> &mut Self {
+    pub fn put(&mut self, code: &str) -> &mut Self {
         self.0.push_str(code);
         self
     }
@@ -39,7 +39,7 @@ impl Text {
     }
 
     /// Writes each item in turn, with commas between.
-    pub(super) fn list<I>(
+    pub fn list<I>(
         &mut self,
         items: impl IntoIterator<Item = I>,
         mut write: impl FnMut(&mut Self, I),
@@ -56,7 +56,7 @@ impl Text {
     }
 
     /// A field and what is written as its value, once where both have one name.
-    pub(super) fn field(&mut self, name: &str, write: impl FnOnce(&mut Self)) {
+    pub fn field(&mut self, name: &str, write: impl FnOnce(&mut Self)) {
         self.put(name);
         let end = self.0.len();
         self.put(": ");
@@ -93,24 +93,5 @@ impl ToTokens for Text {
 
     fn to_token_stream(&self) -> TokenStream {
         self.stream()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use quote::quote;
-
-    use super::*;
-
-    #[test]
-    fn a_field_with_the_name_of_its_value_is_written_once() {
-        let mut text = Text::default();
-        text.put("Point { ").list(["x", "y"], |text, field| {
-            text.field(field, |text| {
-                text.put("x");
-            })
-        });
-        text.put(" }");
-        assert_eq!(quote!(#text).to_string(), quote!(Point { x, y: x }).to_string());
     }
 }

@@ -16,7 +16,7 @@ use crate::model::mechanism::{
 pub(super) type EffortParts<'e, 's> = dyn Fn(Effort, usize) -> Sym<'s> + 'e;
 
 impl<'s> Kinematics<'s> {
-    pub(super) fn jet(&self, expr: &Scalar) -> Jet<'s> {
+    pub fn jet(&self, expr: &Scalar) -> Jet<'s> {
         self.jet_of(expr, &|_, _| unreachable!("only outputs read efforts"))
     }
 
@@ -108,7 +108,7 @@ impl<'s> Kinematics<'s> {
         })
     }
 
-    pub(super) fn jets(&self, pair: &[Scalar; 2]) -> [Jet<'s>; 2] {
+    pub fn jets(&self, pair: &[Scalar; 2]) -> [Jet<'s>; 2] {
         [self.jet(&pair[0]), self.jet(&pair[1])]
     }
 

@@ -6,7 +6,7 @@ use crate::function::Function;
 
 impl<'s> Jet<'s> {
     /// The function of these numbers, as many as it takes.
-    pub(crate) fn of(function: Function, arguments: &[Self]) -> Self {
+    pub fn of(function: Function, arguments: &[Self]) -> Self {
         let (a, b) = (arguments[0], arguments[arguments.len() - 1]);
         match function {
             Function::Sqrt => a.sqrt(),
@@ -249,41 +249,5 @@ pub(crate) fn slopes<'s>(function: Function, arguments: &[Sym<'s>]) -> Vec<Sym<'
         Function::Ln => vec![a.recip()],
         Function::Tanh => vec![slope_of_tanh(a.apply(Function::Tanh))],
         Function::Pow => slopes_of_power(a, b),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::equations::symbol::GraphBuilder;
-    use crate::ir::graph::Node;
-    use crate::ir::interpret::{ProgramValues, interpret};
-    use crate::ir::program::Program;
-
-    /// The values of abs a, sign a, min and max of a and b, in double precision.
-    fn corners(a: f64, b: f64) -> [f64; 4] {
-        let builder = GraphBuilder::new(&[]);
-        let [x, y] = [0, 1].map(|param| Jet::constant(builder.node(Node::Param(param))));
-        let ids = [
-            Jet::of(Function::Abs, &[x]),
-            Jet::of(Function::Sign, &[x]),
-            Jet::of(Function::Min, &[x, y]),
-            Jet::of(Function::Max, &[x, y]),
-        ]
-        .map(|jet| jet.value.id);
-        let program = Program { graph: builder.into_graph(), ..Program::of_zeros([].into_iter()) };
-        let (inputs, loads, drives) = (Vec::new(), Vec::new(), Vec::new());
-        let given = ProgramValues { inputs, params: vec![a, b], loads, drives, unit: None };
-        let values = interpret(&program, &given);
-        ids.map(|id| values[id.index()])
-    }
-
-    #[test]
-    fn corners_choose_the_value_and_hide_none() {
-        assert_eq!(corners(-2.0, 3.0), [2.0, -1.0, -2.0, 3.0]);
-        assert_eq!(corners(3.0, -2.0), [3.0, 1.0, -2.0, 3.0]);
-        assert_eq!(corners(0.0, 0.0), [0.0; 4]);
-        assert!(corners(f64::NAN, 1.0).iter().all(|value| value.is_nan()));
-        assert!(corners(1.0, f64::NAN)[2..].iter().all(|value| value.is_nan()));
     }
 }

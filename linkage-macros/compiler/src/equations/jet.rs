@@ -10,14 +10,14 @@ use crate::equations::symbol::{GraphBuilder, Sym};
 
 /// Value, rate and acceleration.
 #[derive(Clone, Copy)]
-pub(crate) struct Jet<'s> {
+pub struct Jet<'s> {
     pub value: Sym<'s>,
     pub rate: Sym<'s>,
     pub accel: Sym<'s>,
 }
 
 impl<'s> Jet<'s> {
-    pub(crate) fn constant(value: Sym<'s>) -> Self {
+    pub fn constant(value: Sym<'s>) -> Self {
         let zero = value.builder().zero();
         Self { value, rate: zero, accel: zero }
     }
@@ -35,7 +35,7 @@ impl<'s> Jet<'s> {
         self.rate.is_zero() && self.accel.is_zero()
     }
 
-    pub(crate) fn times(self, factor: Sym<'s>) -> Self {
+    pub fn times(self, factor: Sym<'s>) -> Self {
         Self { value: factor * self.value, rate: factor * self.rate, accel: factor * self.accel }
     }
 

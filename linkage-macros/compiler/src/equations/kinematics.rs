@@ -18,7 +18,7 @@ use crate::model::mechanism::{
 
 /// An input as the builder knows it.
 #[derive(Clone, Copy)]
-pub(super) struct InputMotion<'s> {
+pub struct InputMotion<'s> {
     pub jet: Jet<'s>,
     /// Its cosine and sine, where they are given in its place.
     pub unit: Option<Vector<'s>>,
@@ -26,7 +26,7 @@ pub(super) struct InputMotion<'s> {
 
 impl<'s> InputMotion<'s> {
     /// Inputs whose value, rate and acceleration are given.
-    pub(super) fn free(mechanism: &Mechanism, builder: &'s GraphBuilder<'s>) -> Vec<Self> {
+    pub fn free(mechanism: &Mechanism, builder: &'s GraphBuilder<'s>) -> Vec<Self> {
         (0..mechanism.inputs.len() as u32)
             .map(|input| {
                 let order = |order| builder.node(Node::Input { input, order });
@@ -49,11 +49,7 @@ impl<'s> InputMotion<'s> {
     }
 
     /// One input at a unit rate, the others at rest, none with an acceleration.
-    pub(super) fn one_moving(
-        inputs: &[Self],
-        builder: &'s GraphBuilder<'s>,
-        moving: usize,
-    ) -> Vec<Self> {
+    pub fn one_moving(inputs: &[Self], builder: &'s GraphBuilder<'s>, moving: usize) -> Vec<Self> {
         let mut moved = Self::at_rest(inputs, builder);
         moved[moving].jet.rate = builder.integer(1);
         moved
@@ -71,7 +67,7 @@ impl<'s> InputMotion<'s> {
     }
 
     /// The inputs, standing still.
-    pub(super) fn at_rest(inputs: &[Self], builder: &'s GraphBuilder<'s>) -> Vec<Self> {
+    pub fn at_rest(inputs: &[Self], builder: &'s GraphBuilder<'s>) -> Vec<Self> {
         let zero = builder.zero();
         inputs.iter().map(|source| source.with_rates(zero, zero)).collect()
     }
@@ -87,7 +83,7 @@ impl<'s> InputMotion<'s> {
 
 /// Everything that the steps have placed so far.
 #[derive(Clone)]
-pub(super) struct Kinematics<'s> {
+pub struct Kinematics<'s> {
     pub builder: &'s GraphBuilder<'s>,
     pub mechanism: &'s Mechanism,
     pub inputs: Vec<InputMotion<'s>>,
@@ -169,11 +165,11 @@ impl<'s> Kinematics<'s> {
         self.pull.unwrap_or_else(given)
     }
 
-    pub(super) fn point(&self, id: PointId) -> PointMotion<'s> {
+    pub fn point(&self, id: PointId) -> PointMotion<'s> {
         self.points[id.index()].expect("a step uses only what earlier steps have made")
     }
 
-    pub(super) fn link(&self, id: LinkId) -> LinkMotion<'s> {
+    pub fn link(&self, id: LinkId) -> LinkMotion<'s> {
         self.links[id.index()].expect("a step uses only what earlier steps have made")
     }
 
@@ -200,12 +196,12 @@ impl<'s> Kinematics<'s> {
         self.measures.get(&group).copied()
     }
 
-    pub(super) fn guide(&self, id: GuideId) -> Frame<'s> {
+    pub fn guide(&self, id: GuideId) -> Frame<'s> {
         self.guides[id.index()].expect("a step uses only what earlier steps have made")
     }
 
     /// Link between an outer joint and a pin: the vector, its length, and the pin.
-    pub(super) fn bar(&self, link: LinkId) -> Option<(Vector<'s>, Jet<'s>, PointId)> {
+    pub fn bar(&self, link: LinkId) -> Option<(Vector<'s>, Jet<'s>, PointId)> {
         self.bars.get(&link).copied()
     }
 
@@ -214,11 +210,11 @@ impl<'s> Kinematics<'s> {
     }
 
     /// Where a point lies in the frame of what carries it.
-    pub(super) fn coordinates(&self, carrier: Carrier, point: PointId) -> [Jet<'s>; 2] {
+    pub fn coordinates(&self, carrier: Carrier, point: PointId) -> [Jet<'s>; 2] {
         self.coordinates[&(carrier, point)]
     }
 
-    pub(super) fn carrier(&self, carrier: Carrier) -> Frame<'s> {
+    pub fn carrier(&self, carrier: Carrier) -> Frame<'s> {
         match carrier {
             Carrier::Ground => Frame::ground(self.builder),
             Carrier::Link(link) => self.link(link).frame,

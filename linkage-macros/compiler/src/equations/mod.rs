@@ -22,19 +22,19 @@
 //! width can hold, so a large factor there stands before a small error.
 
 pub(crate) mod assembling;
-mod by_input;
+pub mod by_input;
 mod certified_steps;
 mod clearance;
 mod crank_pin;
 mod dead_points;
 mod double_word;
 mod expressed;
-mod forces;
-mod functions;
+pub mod forces;
+pub mod functions;
 mod groups;
 mod guide;
-mod jet;
-mod kinematics;
+pub mod jet;
+pub mod kinematics;
 pub(crate) mod marks;
 mod motion;
 mod operands;
@@ -42,10 +42,8 @@ mod parts;
 pub(crate) mod placing;
 mod point;
 mod reactions;
-mod slip_rounding;
-mod symbol;
-#[cfg(test)]
-pub(crate) mod tests;
+pub mod slip_rounding;
+pub mod symbol;
 mod unknown;
 
 use std::cell::OnceCell;
@@ -66,7 +64,7 @@ use crate::ir::program::{Clearance, Closure, EntryOutputs, Program};
 use crate::model::mechanism::{DeclaredOutput, LinkId, Mechanism, OutputKind};
 
 /// The mechanism's program: one graph with every entry point's values, made under the rules.
-pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
+pub fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
     let builder = GraphBuilder::new(rules);
     let Collected { answers, clearances, closures } = asked(mechanism, &builder);
     Program {
@@ -80,7 +78,7 @@ pub(crate) fn derive(mechanism: &Mechanism, rules: &[Rule]) -> Program {
 
 /// False if the load that drives an input is known to do no work on it in any pose, so that its value follows
 /// from nothing.
-pub(crate) fn load_does_work(mechanism: &Mechanism, rules: &[Rule]) -> bool {
+pub fn load_does_work(mechanism: &Mechanism, rules: &[Rule]) -> bool {
     let Some((input, _)) = mechanism.dynamics.driven() else { return true };
     let builder = GraphBuilder::new(rules);
     let inputs = InputMotion::free(mechanism, &builder);

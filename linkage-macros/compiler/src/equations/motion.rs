@@ -10,7 +10,7 @@ use crate::model::mechanism::Carrier;
 /// from link vectors. Differences of points are formed base from base and offset from offset, so
 /// a mechanism far from the origin loses nothing but the last digits of its coordinates.
 #[derive(Clone, Copy)]
-pub(crate) struct PointMotion<'s> {
+pub struct PointMotion<'s> {
     pub base: Vector<'s>,
     pub offset: Vector<'s>,
     pub velocity: Vector<'s>,
@@ -23,7 +23,7 @@ pub(crate) struct PointMotion<'s> {
 
 /// Rotation about a point of the ground: the velocity is ω r⊥, the acceleration α r⊥ − ω² r.
 #[derive(Clone, Copy)]
-pub(crate) struct Swing<'s> {
+pub struct Swing<'s> {
     pub omega: Sym<'s>,
     pub alpha: Sym<'s>,
     /// r, from that point.
@@ -58,7 +58,7 @@ pub(crate) struct Rates<'s> {
 
 /// A unit vector, its angular velocity and angular acceleration.
 #[derive(Clone, Copy)]
-pub(crate) struct Direction<'s> {
+pub struct Direction<'s> {
     pub u: Vector<'s>,
     pub omega: Sym<'s>,
     pub alpha: Sym<'s>,
@@ -70,7 +70,7 @@ pub(crate) struct Direction<'s> {
 /// the difference of their angles, however small it is. Constant turns are kept apart, so that
 /// the angle between two directions of one moving link is a constant.
 #[derive(Clone, Copy)]
-pub(crate) struct RelativeAngle<'s> {
+pub struct RelativeAngle<'s> {
     carrier: Carrier,
     moving: Sym<'s>,
     constant: Sym<'s>,
@@ -99,7 +99,7 @@ impl<'s> RelativeAngle<'s> {
 
 /// An origin and an x direction: a link, a guide, or the ground.
 #[derive(Clone, Copy)]
-pub(crate) struct Frame<'s> {
+pub struct Frame<'s> {
     pub origin: PointMotion<'s>,
     pub direction: Direction<'s>,
 }
@@ -138,7 +138,7 @@ impl<'s> PointMotion<'s> {
         }
     }
 
-    pub(crate) fn position(self) -> Vector<'s> {
+    pub fn position(self) -> Vector<'s> {
         self.base + self.offset
     }
 
@@ -306,7 +306,7 @@ impl<'s> Frame<'s> {
 
     /// The point at the coordinates (x, y) of the frame: P = O + x u + y n; its velocity and
     /// acceleration are the transport's plus the relative ones.
-    pub(crate) fn place(self, x: Jet<'s>, y: Jet<'s>) -> PointMotion<'s> {
+    pub fn place(self, x: Jet<'s>, y: Jet<'s>) -> PointMotion<'s> {
         let rho = self.vector(x.value, y.value);
         let sigma = self.vector(x.rate, y.rate);
         let (velocity, acceleration) = self.transport(rho, sigma);

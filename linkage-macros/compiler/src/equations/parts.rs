@@ -93,7 +93,7 @@ impl<'s> GroupScope<'s> {
 
 /// A link's frame, and its slide where it slides.
 #[derive(Clone, Copy)]
-pub(super) struct LinkMotion<'s> {
+pub struct LinkMotion<'s> {
     pub frame: Frame<'s>,
     pub slide: Option<Jet<'s>>,
 }

@@ -4,7 +4,7 @@ use crate::equations::symbol::{Sym, Vector};
 
 /// The force on a link but for the joints of its own group, and the moment about the link's origin.
 #[derive(Clone, Copy)]
-pub(super) struct Acting<'s> {
+pub struct Acting<'s> {
     pub force: Vector<'s>,
     pub moment: Sym<'s>,
 }

@@ -60,7 +60,7 @@ struct Rounded<'s> {
 }
 
 /// The bounds of everything that a state has placed.
-pub(super) struct SlipRounding<'s> {
+pub struct SlipRounding<'s> {
     ground: Rounded<'s>,
     points: HashMap<PointId, ErrorBounds<'s>>,
     guides: HashMap<GuideId, Rounded<'s>>,
@@ -144,7 +144,7 @@ fn rounded<'s>(bound: Sym<'s>, rate: Sym<'s>) -> Sym<'s> {
 }
 
 impl<'s> SlipRounding<'s> {
-    pub(super) fn of(state: &Kinematics<'s>) -> Self {
+    pub fn of(state: &Kinematics<'s>) -> Self {
         let none = [state.builder.zero(); 3];
         let turning = Turning::of(Direction::ground(state.builder), none);
         let ground = Rounded { origin: none, turning };
@@ -167,7 +167,7 @@ impl<'s> SlipRounding<'s> {
     }
 
     /// The same in units of u.
-    pub(super) fn units_of_slip(&self, contact: Contact) -> [Sym<'s>; 2] {
+    pub fn units_of_slip(&self, contact: Contact) -> [Sym<'s>; 2] {
         [1, 2].map(|order| match contact {
             Contact::Guide(link) => self.slides[&link][order],
             Contact::Pin { link, against, .. } => {

@@ -15,7 +15,7 @@ use crate::ir::implicit::Implicit;
 use crate::ir::liveness::{Path, live, live_nodes};
 
 /// The graph that symbols are made in.
-pub(crate) struct GraphBuilder<'r> {
+pub struct GraphBuilder<'r> {
     pub(super) graph: RefCell<Graph>,
     rules: &'r [Rule],
     /// True while conditions are ignored: a trial of an equation refuses nothing.
@@ -24,36 +24,35 @@ pub(crate) struct GraphBuilder<'r> {
 
 /// A scalar on a builder.
 #[derive(Clone, Copy)]
-pub(crate) struct Sym<'s> {
+pub struct Sym<'s> {
     builder: &'s GraphBuilder<'s>,
-    pub(crate) id: Id,
+    pub id: Id,
 }
 
 /// A vector in the plane.
 #[derive(Clone, Copy)]
-pub(crate) struct Vector<'s> {
+pub struct Vector<'s> {
     pub x: Sym<'s>,
     pub y: Sym<'s>,
 }
 
 impl<'r> GraphBuilder<'r> {
-    pub(crate) fn new(rules: &'r [Rule]) -> Self {
+    pub fn new(rules: &'r [Rule]) -> Self {
         Self { graph: RefCell::new(Graph::new()), rules, are_guards_ignored: Cell::new(false) }
     }
 
-    pub(crate) fn into_graph(self) -> Graph {
+    pub fn into_graph(self) -> Graph {
         self.graph.into_inner()
     }
 
     /// The graph as it is so far.
-    #[cfg(test)]
-    pub(crate) fn graph(&self) -> Graph {
+    pub fn graph(&self) -> Graph {
         self.graph.borrow().clone()
     }
 }
 
 impl<'s> GraphBuilder<'s> {
-    pub(crate) fn node(&'s self, node: Node) -> Sym<'s> {
+    pub fn node(&'s self, node: Node) -> Sym<'s> {
         let mut graph = self.graph.borrow_mut();
         let id = Maker { graph: &mut graph, rules: self.rules }.make(node);
         Sym { builder: self, id }
@@ -93,19 +92,19 @@ impl<'s> GraphBuilder<'s> {
     }
 
     /// The symbol of a node that has been made.
-    pub(crate) fn known(&'s self, id: Id) -> Sym<'s> {
+    pub fn known(&'s self, id: Id) -> Sym<'s> {
         Sym { builder: self, id }
     }
 
-    pub(crate) fn integer(&'s self, value: i64) -> Sym<'s> {
+    pub fn integer(&'s self, value: i64) -> Sym<'s> {
         self.constant(Exact::integer(value))
     }
 
-    pub(crate) fn zero(&'s self) -> Sym<'s> {
+    pub fn zero(&'s self) -> Sym<'s> {
         self.integer(0)
     }
 
-    pub(crate) fn zero_vector(&'s self) -> Vector<'s> {
+    pub fn zero_vector(&'s self) -> Vector<'s> {
         Vector { x: self.zero(), y: self.zero() }
     }
 
@@ -148,19 +147,19 @@ impl<'s> Sym<'s> {
         self.builder.node(Node::Apply(function, self.id))
     }
 
-    pub(crate) fn sqrt(self) -> Self {
+    pub fn sqrt(self) -> Self {
         self.apply(Function::Sqrt)
     }
 
-    pub(crate) fn sin(self) -> Self {
+    pub fn sin(self) -> Self {
         self.apply(Function::Sin)
     }
 
-    pub(crate) fn cos(self) -> Self {
+    pub fn cos(self) -> Self {
         self.apply(Function::Cos)
     }
 
-    pub(crate) fn apply2(self, function: Function, other: Self) -> Self {
+    pub fn apply2(self, function: Function, other: Self) -> Self {
         self.builder.node(Node::Apply2(function, self.id, other.id))
     }
 
@@ -174,7 +173,7 @@ impl<'s> Sym<'s> {
     }
 
     /// `x` where this is at least as large as the other, `y` elsewhere.
-    pub(crate) fn at_least(self, other: Self, x: Self, y: Self) -> Self {
+    pub fn at_least(self, other: Self, x: Self, y: Self) -> Self {
         self.builder.node(Node::Select([self.id, other.id, x.id, y.id]))
     }
 
@@ -202,7 +201,7 @@ impl<'s> Sym<'s> {
         self.builder.integer(2) * self
     }
 
-    pub(crate) fn half(self) -> Self {
+    pub fn half(self) -> Self {
         self.builder.constant(Exact::float(0.5).expect("finite")) * self
     }
 
@@ -351,7 +350,7 @@ impl<'s> Vector<'s> {
     }
 
     /// The normal 90° counter-clockwise of it, of the same length.
-    pub(crate) fn normal(self) -> Self {
+    pub fn normal(self) -> Self {
         Self { x: -self.y, y: self.x }
     }
 

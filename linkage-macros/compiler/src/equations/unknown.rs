@@ -32,7 +32,7 @@ use crate::model::mechanism::{Equation, Mechanism, Mode, Sign, Unknown, UnknownI
 
 impl<'s> Kinematics<'s> {
     /// Everything placed, what equations fix included.
-    pub(super) fn of(
+    pub fn of(
         builder: &'s GraphBuilder<'s>,
         mechanism: &'s Mechanism,
         inputs: Vec<InputMotion<'s>>,

@@ -14,7 +14,7 @@ use crate::function::Function;
 
 impl Exact {
     /// The function of these numbers; `None` outside its domain.
-    pub(crate) fn of(function: Function, arguments: &[&Self]) -> Option<Self> {
+    pub fn of(function: Function, arguments: &[&Self]) -> Option<Self> {
         let (a, b) = (arguments[0], arguments[arguments.len() - 1]);
         match function {
             Function::Sqrt => a.sqrt(),
@@ -42,7 +42,7 @@ impl Exact {
     }
 
     /// See [`Self::sin`].
-    pub(crate) fn cos(&self) -> Self {
+    pub fn cos(&self) -> Self {
         self.sine(1)
     }
 

@@ -141,12 +141,12 @@ impl Drop for Atoms {
 
 /// Forgets the atoms that were made since it began, when it ends. No number that holds one of
 /// them may be used afterwards: an equal one would be another atom.
-pub(crate) struct AtomScope {
+pub struct AtomScope {
     before: usize,
 }
 
 impl AtomScope {
-    pub(crate) fn begin() -> Self {
+    pub fn begin() -> Self {
         Self { before: known() }
     }
 }
@@ -158,7 +158,7 @@ impl Drop for AtomScope {
 }
 
 /// The number of atoms the thread knows.
-pub(crate) fn known() -> usize {
+pub fn known() -> usize {
     ATOMS.with_borrow(|atoms| atoms.made.len())
 }
 

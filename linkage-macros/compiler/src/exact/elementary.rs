@@ -17,7 +17,7 @@ static FINEST_PI: Mutex<Option<Enclosure>> = Mutex::new(None);
 
 impl Enclosure {
     /// An enclosure of π.
-    pub(crate) fn pi(bits: u32) -> Self {
+    pub fn pi(bits: u32) -> Self {
         // It is replaced as a whole: a panic elsewhere does not spoil it.
         let mut finest = FINEST_PI.lock().unwrap_or_else(PoisonError::into_inner);
         match finest.as_ref() {
@@ -30,7 +30,7 @@ impl Enclosure {
     }
 
     /// The function of an atom, of all numbers of the enclosure; `None` where it has no value.
-    pub(super) fn apply(&self, function: Function) -> Option<Self> {
+    pub fn apply(&self, function: Function) -> Option<Self> {
         match function {
             Function::Sin => Some(self.sin_cos().0),
             Function::Cos => Some(self.sin_cos().1),
@@ -41,14 +41,14 @@ impl Enclosure {
     }
 
     /// Neither sine nor cosine changes faster than the angle: they are evaluated in the middle.
-    pub(super) fn sin_cos(&self) -> (Self, Self) {
+    pub fn sin_cos(&self) -> (Self, Self) {
         let (middle, radius) = self.middle();
         let (sin, cos) = sin_cos(&middle, self.bits);
         (sin.widened(&radius).within_one(), cos.widened(&radius).within_one())
     }
 
     /// The arc sine in [−π/2, π/2] of what lies in [−1, 1] of the enclosure, unless nothing does.
-    pub(super) fn asin(&self) -> Option<Self> {
+    pub fn asin(&self) -> Option<Self> {
         let one = BigInt::one() << self.bits;
         if self.lower > one || self.upper < -&one {
             return None;
@@ -63,7 +63,7 @@ impl Enclosure {
     }
 
     /// The arc tangent in [−π/2, π/2], which does not change faster than its argument either.
-    pub(super) fn atan(&self) -> Self {
+    pub fn atan(&self) -> Self {
         let (middle, radius) = self.middle();
         let one = BigInt::one() << self.bits;
         angle(&middle, &one, self.bits).widened(&radius)
@@ -180,7 +180,7 @@ fn series(t: &BigInt, working: u32) -> (BigInt, BigInt, u64) {
 /// An approximate angle θ in f64 turns the vector close to the x axis; what is left,
 /// v = (y cos θ − x sin θ)/(x cos θ + y sin θ), is so small that atan v takes a term of the series
 /// for every hundred bits. Nothing depends on how good θ is but the number of terms.
-pub(super) fn angle(y: &BigInt, x: &BigInt, bits: u32) -> Enclosure {
+pub fn angle(y: &BigInt, x: &BigInt, bits: u32) -> Enclosure {
     const APPROXIMATE_BITS: u32 = 52;
     let working = bits + 24;
     let excess = y.bits().max(x.bits()).saturating_sub(u64::from(APPROXIMATE_BITS) + 8);

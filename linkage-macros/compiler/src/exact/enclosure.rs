@@ -5,9 +5,6 @@
 //! Beside the rounding of constants they serve as the number of many digits against which floating
 //! point is tested.
 
-#[cfg(test)]
-mod reference;
-
 use core::cmp::Ordering;
 
 use num_bigint::BigInt;
@@ -18,7 +15,7 @@ use super::rational::Rational;
 
 /// An interval [lower, upper]·2^−bits.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Enclosure {
+pub struct Enclosure {
     pub(super) lower: BigInt,
     pub(super) upper: BigInt,
     pub(super) bits: u32,
@@ -28,7 +25,7 @@ impl Enclosure {
     /// The fewest bits the functions of an angle work with.
     pub(crate) const MIN_BITS: u32 = 64;
 
-    pub(super) fn new(lower: BigInt, upper: BigInt, bits: u32) -> Self {
+    pub fn new(lower: BigInt, upper: BigInt, bits: u32) -> Self {
         debug_assert!(lower <= upper && bits >= Self::MIN_BITS);
         Self { lower, upper, bits }
     }
@@ -43,30 +40,30 @@ impl Enclosure {
         Self::new(value.clone(), value, bits)
     }
 
-    pub(crate) fn integer(value: i64, bits: u32) -> Self {
+    pub fn integer(value: i64, bits: u32) -> Self {
         Self::point(BigInt::from(value) << bits, bits)
     }
 
-    pub(super) fn rational(value: &Rational, bits: u32) -> Self {
+    pub fn rational(value: &Rational, bits: u32) -> Self {
         let (quotient, remainder) = (value.numerator() << bits).div_mod_floor(&value.denominator());
         let upper = if remainder.is_zero() { quotient.clone() } else { &quotient + 1 };
         Self::new(quotient, upper, bits)
     }
 
-    pub(crate) fn bits(&self) -> u32 {
+    pub fn bits(&self) -> u32 {
         self.bits
     }
 
-    pub(super) fn lower(&self) -> &BigInt {
+    pub fn lower(&self) -> &BigInt {
         &self.lower
     }
 
-    pub(super) fn upper(&self) -> &BigInt {
+    pub fn upper(&self) -> &BigInt {
         &self.upper
     }
 
     /// The enclosure in other units, rounded outward where they are coarser.
-    pub(crate) fn with_bits(&self, bits: u32) -> Self {
+    pub fn with_bits(&self, bits: u32) -> Self {
         if bits >= self.bits {
             let shift = bits - self.bits;
             Self::new(&self.lower << shift, &self.upper << shift, bits)
@@ -77,30 +74,24 @@ impl Enclosure {
     }
 
     /// The order against zero, where all of the enclosure agrees on it.
-    pub(crate) fn sign(&self) -> Option<Ordering> {
+    pub fn sign(&self) -> Option<Ordering> {
         let (lower, upper) = (self.lower.cmp(&BigInt::zero()), self.upper.cmp(&BigInt::zero()));
         (lower == upper).then_some(lower)
     }
 
-    /// The number in its middle, as if it were exact.
-    #[cfg(test)]
-    pub(crate) fn centre(&self) -> Self {
-        Self::point((&self.lower + &self.upper) >> 1usize, self.bits)
-    }
-
-    pub(crate) fn neg(&self) -> Self {
+    pub fn neg(&self) -> Self {
         Self::new(-&self.upper, -&self.lower, self.bits)
     }
 
-    pub(crate) fn add(&self, other: &Self) -> Self {
+    pub fn add(&self, other: &Self) -> Self {
         self.aligned(other, |a, b| Self::new(&a.lower + &b.lower, &a.upper + &b.upper, a.bits))
     }
 
-    pub(crate) fn sub(&self, other: &Self) -> Self {
+    pub fn sub(&self, other: &Self) -> Self {
         self.aligned(other, |a, b| Self::new(&a.lower - &b.upper, &a.upper - &b.lower, a.bits))
     }
 
-    pub(crate) fn mul(&self, other: &Self) -> Self {
+    pub fn mul(&self, other: &Self) -> Self {
         self.aligned(other, |a, b| {
             let (lower, upper) = if !a.lower.is_negative() && !b.lower.is_negative() {
                 (&a.lower * &b.lower, &a.upper * &b.upper)
@@ -141,7 +132,7 @@ impl Enclosure {
     }
 
     /// The quotient, unless the divisor's enclosure holds zero.
-    pub(crate) fn div(&self, divisor: &Self) -> Option<Self> {
+    pub fn div(&self, divisor: &Self) -> Option<Self> {
         match divisor.sign()? {
             Ordering::Equal => None,
             Ordering::Less => self.neg().div(&divisor.neg()),
@@ -158,7 +149,7 @@ impl Enclosure {
     }
 
     /// The root of what is not negative in the enclosure, unless all of it is.
-    pub(crate) fn sqrt(&self) -> Option<Self> {
+    pub fn sqrt(&self) -> Option<Self> {
         if self.upper.is_negative() {
             return None;
         }
@@ -167,13 +158,13 @@ impl Enclosure {
     }
 
     /// A point near the middle, and the distance from it that covers the enclosure.
-    pub(super) fn middle(&self) -> (BigInt, BigInt) {
+    pub fn middle(&self) -> (BigInt, BigInt) {
         let middle: BigInt = (&self.lower + &self.upper) >> 1;
         let radius = &self.upper - &middle;
         (middle, radius)
     }
 
-    pub(super) fn widened(&self, by: &BigInt) -> Self {
+    pub fn widened(&self, by: &BigInt) -> Self {
         Self::new(&self.lower - by, &self.upper + by, self.bits)
     }
 

@@ -10,18 +10,16 @@
 mod angle;
 mod atom;
 mod display;
-mod elementary;
-pub(crate) mod enclosure;
+pub mod elementary;
+pub mod enclosure;
 mod evaluation;
 mod literal;
 mod powers;
-mod rational;
+pub mod rational;
 mod root;
-mod rounding;
+pub mod rounding;
 mod size;
 mod sum;
-#[cfg(test)]
-mod tests;
 
 use core::cmp::Ordering;
 
@@ -29,10 +27,9 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use atom::AtomKind;
-pub(crate) use atom::AtomScope;
-#[cfg(test)]
-pub(crate) use atom::known as known_atoms;
-pub(crate) use enclosure::Enclosure;
+pub use atom::AtomScope;
+pub use atom::known as known_atoms;
+pub use enclosure::Enclosure;
 use rational::Rational;
 use rounding::{Format, NARROW, WIDE};
 use sum::Term;
@@ -43,7 +40,7 @@ use sum::Term;
 /// and angles, which is enclosed more and more tightly until it rounds uniquely. Equality is
 /// structural on the normal form: equal values are normally, not always, recognised as equal.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(crate) struct Exact {
+pub struct Exact {
     form: ExactForm,
 }
 
@@ -56,54 +53,54 @@ enum ExactForm {
 }
 
 impl Exact {
-    pub(crate) fn integer(value: i64) -> Self {
+    pub fn integer(value: i64) -> Self {
         Self::rational(Rational::integer(value))
     }
 
     /// A decimal literal as Rust writes it (`1_000.5e-3`), exactly; `None` where it is none, and
     /// beyond an exponent or a length of 4096.
-    pub(crate) fn decimal(digits: &str) -> Option<Self> {
+    pub fn decimal(digits: &str) -> Option<Self> {
         literal::parse(digits).map(Self::rational)
     }
 
     /// The exact value of a float; `None` unless finite.
-    pub(crate) fn float(value: f64) -> Option<Self> {
+    pub fn float(value: f64) -> Option<Self> {
         word(value).map(Self::rational)
     }
 
-    pub(crate) fn pi() -> Self {
+    pub fn pi() -> Self {
         Self::atom(AtomKind::Pi)
     }
 
-    pub(crate) fn add(&self, other: &Self) -> Self {
+    pub fn add(&self, other: &Self) -> Self {
         match (&self.form, &other.form) {
             (ExactForm::Rational(a), ExactForm::Rational(b)) => Self::rational(a.add(b)),
             _ => self.sum_of(other),
         }
     }
 
-    pub(crate) fn sub(&self, other: &Self) -> Self {
+    pub fn sub(&self, other: &Self) -> Self {
         match (&self.form, &other.form) {
             (ExactForm::Rational(a), ExactForm::Rational(b)) => Self::rational(a.sub(b)),
             _ => self.sum_of(&other.neg()),
         }
     }
 
-    pub(crate) fn mul(&self, other: &Self) -> Self {
+    pub fn mul(&self, other: &Self) -> Self {
         self.product_of(other)
     }
 
     /// `None` where the divisor is zero.
-    pub(crate) fn div(&self, other: &Self) -> Option<Self> {
+    pub fn div(&self, other: &Self) -> Option<Self> {
         (!other.is_zero()).then(|| self.quotient_of(other))
     }
 
-    pub(crate) fn neg(&self) -> Self {
+    pub fn neg(&self) -> Self {
         self.scaled(&Rational::integer(-1))
     }
 
     /// `None` for a negative number; rational on rational squares.
-    pub(crate) fn sqrt(&self) -> Option<Self> {
+    pub fn sqrt(&self) -> Option<Self> {
         match self.signum() {
             Ordering::Less => None,
             Ordering::Equal => Some(Self::integer(0)),
@@ -111,11 +108,11 @@ impl Exact {
         }
     }
 
-    pub(crate) fn is_zero(&self) -> bool {
+    pub fn is_zero(&self) -> bool {
         self.signum().is_eq()
     }
 
-    pub(crate) fn is_one(&self) -> bool {
+    pub fn is_one(&self) -> bool {
         match &self.form {
             ExactForm::Rational(value) => value.is_one(),
             ExactForm::Sum(_) => self.cmp_value(&Self::integer(1)).is_eq(),
@@ -123,7 +120,7 @@ impl Exact {
     }
 
     /// The index of the first of the integers that equals the number.
-    pub(crate) fn first_of(&self, integers: &[i64]) -> Option<usize> {
+    pub fn first_of(&self, integers: &[i64]) -> Option<usize> {
         // One coarse enclosure rules out all of them for nearly every number.
         if let (ExactForm::Sum(_), Some(coarse)) = (&self.form, self.enclose(Enclosure::MIN_BITS)) {
             let integer = |value| Enclosure::integer(value, coarse.bits());
@@ -138,11 +135,11 @@ impl Exact {
 
     /// The order against zero: exact for rationals; an expression whose enclosure still holds
     /// zero at the finest precision counts as zero.
-    pub(crate) fn signum(&self) -> Ordering {
+    pub fn signum(&self) -> Ordering {
         self.sign()
     }
 
-    pub(crate) fn cmp_value(&self, other: &Self) -> Ordering {
+    pub fn cmp_value(&self, other: &Self) -> Ordering {
         match (&self.form, &other.form) {
             (ExactForm::Rational(a), ExactForm::Rational(b)) => a.cmp(b),
             _ => self.sub(other).signum(),
@@ -150,7 +147,7 @@ impl Exact {
     }
 
     /// `Some` where the number is an integer that fits.
-    pub(crate) fn to_integer(&self) -> Option<i64> {
+    pub fn to_integer(&self) -> Option<i64> {
         match &self.form {
             ExactForm::Rational(value) => value.to_integer(),
             ExactForm::Sum(_) => {
@@ -161,29 +158,29 @@ impl Exact {
     }
 
     /// Correctly rounded (ties to even); infinite beyond the range.
-    pub(crate) fn to_f64(&self) -> f64 {
+    pub fn to_f64(&self) -> f64 {
         self.rounded(WIDE, &Rational::ZERO)
     }
 
     /// See [`Self::to_f64`].
-    pub(crate) fn to_f32(&self) -> f32 {
+    pub fn to_f32(&self) -> f32 {
         self.rounded(NARROW, &Rational::ZERO) as f32
     }
 
     /// The remainder of `to_f64`: (self − to_f64) correctly rounded, the low word of a double word.
     /// It is zero beyond the range.
-    pub(crate) fn low_f64(&self) -> f64 {
+    pub fn low_f64(&self) -> f64 {
         self.low_word(WIDE)
     }
 
     /// See [`Self::low_f64`].
-    pub(crate) fn low_f32(&self) -> f32 {
+    pub fn low_f32(&self) -> f32 {
         self.low_word(NARROW) as f32
     }
 
     /// An enclosure in units of 2^−bits; `None` where these are too coarse to tell a divisor from
     /// zero.
-    pub(crate) fn enclose(&self, bits: u32) -> Option<Enclosure> {
+    pub fn enclose(&self, bits: u32) -> Option<Enclosure> {
         self.enclosed(bits.max(Enclosure::MIN_BITS))
     }
 
@@ -193,7 +190,7 @@ impl Exact {
 }
 
 /// The exact value of a finite float.
-fn word(value: f64) -> Option<Rational> {
+pub fn word(value: f64) -> Option<Rational> {
     if !value.is_finite() {
         return None;
     }

@@ -94,7 +94,7 @@ impl Enclosure {
     }
 
     /// e to the power of every number; `None` where an upper bound is far beyond floating point.
-    pub(super) fn exponential(&self) -> Option<Self> {
+    pub fn exponential(&self) -> Option<Self> {
         // A coarse enclosure may reach beyond the limit of its number.
         let above = BigInt::from(2 * LARGEST) << self.bits;
         if self.upper > above {
@@ -108,7 +108,7 @@ impl Enclosure {
     }
 
     /// The logarithm of every number; `None` unless all are above zero.
-    pub(super) fn logarithm(&self) -> Option<Self> {
+    pub fn logarithm(&self) -> Option<Self> {
         if !self.lower.is_positive() {
             return None;
         }
@@ -120,7 +120,7 @@ impl Enclosure {
     }
 
     /// The hyperbolic tangent, which grows with its argument and lies in [−1, 1].
-    pub(super) fn hyperbolic_tangent(&self) -> Self {
+    pub fn hyperbolic_tangent(&self) -> Self {
         let below = hyperbolic_tangent(&self.lower, self.bits);
         let above = hyperbolic_tangent(&self.upper, self.bits);
         Self::new(below.lower, above.upper, self.bits)

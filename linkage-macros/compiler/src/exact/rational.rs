@@ -13,13 +13,13 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 /// `num-rational` has this name behind a feature. Where the workspace builds the macro and `nalgebra`
 /// together, `nalgebra` would get that feature too, and the target a second `num-bigint`.
-pub(super) type BigRational = Ratio<BigInt>;
+pub type BigRational = Ratio<BigInt>;
 
 /// A reduced fraction with a positive denominator.
 ///
 /// Equal numbers are structurally equal: a number is `Small` whenever both its parts fit.
 #[derive(Clone, Debug)]
-pub(super) enum Rational {
+pub enum Rational {
     /// |numerator| ≤ `i64::MAX`, 0 < denominator.
     Small(i64, i64),
     Big(Box<BigRational>),
@@ -34,23 +34,23 @@ impl Rational {
     }
 
     /// The quotient of two small integers; the divisor is positive.
-    pub(super) fn ratio(numerator: i64, denominator: i64) -> Self {
+    pub fn ratio(numerator: i64, denominator: i64) -> Self {
         Self::integer(numerator).mul(&Self::reduced(1, denominator.into()))
     }
 
     /// The quotient of two integers; the divisor is not zero.
-    pub(super) fn of(numerator: BigInt, denominator: BigInt) -> Self {
+    pub fn of(numerator: BigInt, denominator: BigInt) -> Self {
         Self::from_big(BigRational::new(numerator, denominator))
     }
 
-    pub(super) fn numerator(&self) -> BigInt {
+    pub fn numerator(&self) -> BigInt {
         match self {
             Self::Small(numerator, _) => (*numerator).into(),
             Self::Big(big) => big.numer().clone(),
         }
     }
 
-    pub(super) fn denominator(&self) -> BigInt {
+    pub fn denominator(&self) -> BigInt {
         match self {
             Self::Small(_, denominator) => (*denominator).into(),
             Self::Big(big) => big.denom().clone(),
@@ -65,7 +65,7 @@ impl Rational {
         matches!(self, Self::Small(1, 1))
     }
 
-    pub(super) fn signum(&self) -> Ordering {
+    pub fn signum(&self) -> Ordering {
         match self {
             Self::Small(numerator, _) => numerator.cmp(&0),
             Self::Big(big) => big.numer().cmp(&BigInt::zero()),
@@ -82,7 +82,7 @@ impl Rational {
     }
 
     /// The greatest integer not above the number.
-    pub(super) fn floor(&self) -> Self {
+    pub fn floor(&self) -> Self {
         match self {
             Self::Small(numerator, denominator) => {
                 Self::Small(Integer::div_floor(numerator, denominator), 1)
@@ -92,19 +92,19 @@ impl Rational {
     }
 
     /// The number modulo the divisor, in [0, divisor).
-    pub(super) fn modulo(&self, divisor: i64) -> Self {
+    pub fn modulo(&self, divisor: i64) -> Self {
         let divisor = Self::integer(divisor);
         self.sub(&self.div(&divisor).floor().mul(&divisor))
     }
 
-    pub(super) fn neg(&self) -> Self {
+    pub fn neg(&self) -> Self {
         match self {
             Self::Small(numerator, denominator) => Self::Small(-numerator, *denominator),
             Self::Big(big) => Self::from_big(-big.as_ref()),
         }
     }
 
-    pub(super) fn abs(&self) -> Self {
+    pub fn abs(&self) -> Self {
         if self.signum().is_lt() { self.neg() } else { self.clone() }
     }
 
@@ -118,7 +118,7 @@ impl Rational {
         }
     }
 
-    pub(super) fn add(&self, other: &Self) -> Self {
+    pub fn add(&self, other: &Self) -> Self {
         let (&Self::Small(n1, d1), &Self::Small(n2, d2)) = (self, other) else {
             return Self::from_big(self.to_big() + other.to_big());
         };
@@ -135,11 +135,11 @@ impl Rational {
         Self::reduced(sum / wide(shared), wide(d1 / common) * wide(d2 / shared))
     }
 
-    pub(super) fn sub(&self, other: &Self) -> Self {
+    pub fn sub(&self, other: &Self) -> Self {
         self.add(&other.neg())
     }
 
-    pub(super) fn mul(&self, other: &Self) -> Self {
+    pub fn mul(&self, other: &Self) -> Self {
         let (&Self::Small(n1, d1), &Self::Small(n2, d2)) = (self, other) else {
             return Self::from_big(self.to_big() * other.to_big());
         };
@@ -152,7 +152,7 @@ impl Rational {
     }
 
     /// The quotient; the divisor is not zero.
-    pub(super) fn div(&self, other: &Self) -> Self {
+    pub fn div(&self, other: &Self) -> Self {
         self.mul(&other.recip())
     }
 
@@ -234,7 +234,7 @@ const SMALL_PRIMES: [u32; 25] = [
 ///
 /// m is free of the squares of small primes and no square itself; the square of a large prime
 /// inside a larger number goes unnoticed, which costs a normal form its uniqueness, not its truth.
-pub(super) fn square_part(value: &BigInt) -> (BigInt, BigInt) {
+pub fn square_part(value: &BigInt) -> (BigInt, BigInt) {
     debug_assert!(value.is_positive());
     let (mut rest, mut root) = (value.clone(), BigInt::one());
     for prime in SMALL_PRIMES {

@@ -8,7 +8,7 @@ use super::rational::Rational;
 
 /// A binary floating-point format, whose numbers are a subset of f64's.
 #[derive(Clone, Copy)]
-pub(super) struct Format {
+pub struct Format {
     /// The bits of a normal number's significand.
     precision: i64,
     /// The exponent of the least positive number.
@@ -17,7 +17,7 @@ pub(super) struct Format {
     above: i64,
 }
 
-pub(super) const WIDE: Format = Format { precision: 53, least: -1074, above: 1024 };
+pub const WIDE: Format = Format { precision: 53, least: -1074, above: 1024 };
 pub(super) const NARROW: Format = Format { precision: NARROW_BITS, least: -149, above: 128 };
 
 const NARROW_BITS: i64 = 24;
@@ -59,7 +59,7 @@ impl Format {
     }
 
     /// The number of the format next to `value`·2^−bits.
-    pub(super) fn round_fixed(self, value: &BigInt, bits: u32) -> f64 {
+    pub fn round_fixed(self, value: &BigInt, bits: u32) -> f64 {
         let size = self.round_magnitude(value.magnitude(), false, -i64::from(bits));
         if value.sign() == Sign::Minus { -size } else { size }
     }

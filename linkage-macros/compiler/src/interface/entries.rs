@@ -8,7 +8,7 @@ use crate::interface::records::{RecordKind, Shape};
 
 /// The meaning of an argument for the inputs: each is a number, or a record of several inputs' numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ArgumentKind {
+pub enum ArgumentKind {
     Value,
     Rate,
     Acceleration,
@@ -23,7 +23,7 @@ pub(crate) enum ArgumentKind {
 
 /// A question about a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Analysis {
+pub enum Analysis {
     Position,
     Velocity,
     Motion,
@@ -88,14 +88,14 @@ pub(crate) struct EntryRow {
 
 /// A name of the interface: an analysis, by the inputs or by the only input's cosine and sine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct EntryPoint {
+pub struct EntryPoint {
     pub analysis: Analysis,
     pub by_cosine: bool,
 }
 
 /// An entry point of a mechanism.
 #[derive(Clone, Debug)]
-pub(crate) struct Entry {
+pub struct Entry {
     pub point: EntryPoint,
     pub given: Vec<ArgumentKind>,
     pub result: Shape,
@@ -111,7 +111,7 @@ impl Analysis {
     pub(crate) const STAGES: [Self; 3] = [Self::Position, Self::Velocity, Self::Motion];
 
     /// All of them, in the order of the rows.
-    pub(crate) fn all() -> impl Iterator<Item = Self> {
+    pub fn all() -> impl Iterator<Item = Self> {
         ROWS.iter().copied().flatten().map(|row| row.analysis)
     }
 
@@ -121,14 +121,13 @@ impl Analysis {
     }
 
     /// The entry point that is given the inputs themselves.
-    pub(crate) fn by_value(self) -> EntryPoint {
+    pub fn by_value(self) -> EntryPoint {
         EntryPoint { analysis: self, by_cosine: false }
     }
 }
 
 impl EntryPoint {
-    #[cfg(test)]
-    pub(crate) fn named(name: &str) -> Self {
+    pub fn named(name: &str) -> Self {
         let points = Analysis::all()
             .flat_map(|analysis| [false, true].map(|by_cosine| Self { analysis, by_cosine }));
         points.into_iter().find(|point| point.name() == name).expect("an entry point has the name")
@@ -138,7 +137,7 @@ impl EntryPoint {
         self.analysis.row()
     }
 
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         let row = self.row();
         row.name_at.filter(|_| self.by_cosine).unwrap_or(row.name)
     }
@@ -160,7 +159,7 @@ impl EntryPoint {
 }
 
 impl Entry {
-    pub(crate) fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         self.point.name()
     }
 
@@ -350,22 +349,3 @@ const EQUATIONS_OF_MOTION: EntryRow = EntryRow {
     errors: [""; 2],
     ..FORWARD_DYNAMICS
 };
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_two_entry_points_have_one_name() {
-        let points = Analysis::all().flat_map(|analysis| {
-            let [own, at] =
-                [false, true].map(|by_cosine| EntryPoint { analysis, by_cosine }.name());
-            [Some(own), Some(at).filter(|&at| at != own)]
-        });
-        let mut names: Vec<&str> = points.flatten().collect();
-        let count = names.len();
-        names.sort_unstable();
-        names.dedup();
-        assert_eq!((names.len(), count), (17, 17), "{names:?}");
-    }
-}

@@ -37,11 +37,7 @@ pub(crate) fn all_rows(mechanism: &Mechanism) -> Vec<String> {
 }
 
 /// The name of each number of an entry point's result in errors, in the order of the sinks.
-pub(crate) fn of_result(
-    interface: &Interface,
-    mechanism: &Mechanism,
-    entry: &Entry,
-) -> Vec<String> {
+pub fn of_result(interface: &Interface, mechanism: &Mechanism, entry: &Entry) -> Vec<String> {
     match entry.point.row().returns {
         Returns::Record(_) => of_shape(interface, mechanism, entry.result),
         Returns::Matrix => {

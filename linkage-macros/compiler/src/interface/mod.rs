@@ -6,14 +6,14 @@
 
 pub(crate) mod carried_over;
 mod catalogue;
-pub(crate) mod components;
-pub(crate) mod dimensions;
-pub(crate) mod entries;
+pub mod components;
+pub mod dimensions;
+pub mod entries;
 pub(crate) mod force_records;
-pub(crate) mod labels;
-pub(crate) mod quantity;
-pub(crate) mod records;
-pub(crate) mod units_in_words;
+pub mod labels;
+pub mod quantity;
+pub mod records;
+pub mod units_in_words;
 
 use proc_macro2::Ident;
 
@@ -23,7 +23,7 @@ use crate::interface::records::{Record, RecordId, RecordKind, Shape};
 use crate::model::mechanism::Mechanism;
 
 /// See the module's documentation.
-pub(crate) struct Interface {
+pub struct Interface {
     pub records: Vec<Record>,
     pub entries: Vec<Entry>,
     /// The record of several inputs, if there are several.
@@ -38,11 +38,11 @@ pub(crate) struct Interface {
 
 /// An index into [`Interface::entries`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct EntryId(usize);
+pub struct EntryId(usize);
 
 impl Interface {
     /// Everything that a solver of the mechanism could offer.
-    pub(crate) fn of(mechanism: &Mechanism) -> Self {
+    pub fn of(mechanism: &Mechanism) -> Self {
         let rows = mechanism.outputs.iter().map(|output| Quantity::of(&output.kind).rows().len());
         let (rows, columns) = (rows.sum(), mechanism.inputs.len());
         let records = catalogue::records(mechanism);
@@ -66,7 +66,7 @@ impl Interface {
     }
 
     /// The same with these entry points alone, in this order.
-    pub(crate) fn limited_to(mut self, points: impl Iterator<Item = EntryPoint>) -> Self {
+    pub fn limited_to(mut self, points: impl Iterator<Item = EntryPoint>) -> Self {
         let known = self.entries;
         let entry = |point| known.iter().find(|entry| entry.point == point).cloned();
         self.entries = points.filter_map(entry).collect();
@@ -79,7 +79,7 @@ impl Interface {
         other.filter(|_| !own.takes_cosine())
     }
 
-    pub(crate) fn entry(&self, id: EntryId) -> &Entry {
+    pub fn entry(&self, id: EntryId) -> &Entry {
         &self.entries[id.0]
     }
 
@@ -88,7 +88,7 @@ impl Interface {
     }
 
     /// An entry point, if it is offered.
-    pub(crate) fn find(&self, point: EntryPoint) -> Option<EntryId> {
+    pub fn find(&self, point: EntryPoint) -> Option<EntryId> {
         self.entries.iter().position(|entry| entry.point == point).map(EntryId)
     }
 
@@ -99,7 +99,7 @@ impl Interface {
 
     /// True unless only analyses return the record that are not offered: margins may be outputs without an entry
     /// point, and masses may be such that there are no dynamics. The stages are always offered.
-    pub(crate) fn is_used(&self, record: &Record) -> bool {
+    pub fn is_used(&self, record: &Record) -> bool {
         // Forces of one link are a field of all forces.
         let kind = match record.kind {
             RecordKind::ForcesOf(_) => RecordKind::Forces,
@@ -138,7 +138,7 @@ impl Interface {
     }
 
     /// The count of numbers in a result of this shape.
-    pub(crate) fn numbers(&self, shape: Shape) -> usize {
+    pub fn numbers(&self, shape: Shape) -> usize {
         match shape {
             Shape::Number => 1,
             Shape::List(count) => count,
@@ -152,35 +152,7 @@ impl Interface {
 }
 
 impl EntryId {
-    pub(crate) fn index(self) -> usize {
+    pub fn index(self) -> usize {
         self.0
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::oracle::mechanism;
-
-    #[test]
-    fn a_record_of_what_is_not_offered_is_not_used() {
-        let mechanism = mechanism(
-            "struct M { input theta: angle; ground A(0, 0), D(600mm, 0);
-             crank AB(A) -> B { length: 80mm, angle: theta }
-             rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: right }
-             mass 1kg on B;
-             output C, DC.margin; }",
-        );
-        let used = |analysis: Analysis| {
-            let interface = Interface::of(&mechanism).limited_to([analysis.by_value()].into_iter());
-            let is_used = |kind| {
-                let record = interface.records.iter().find(|record| record.kind == kind);
-                interface.is_used(record.expect("the mechanism has such a record"))
-            };
-            [RecordKind::Motion, RecordKind::Margins, RecordKind::Equations].map(is_used)
-        };
-        assert_eq!(used(Analysis::Motion), [true, false, false]);
-        assert_eq!(used(Analysis::Margins), [true, true, false]);
-        assert_eq!(used(Analysis::EquationsOfMotion), [true, false, true]);
     }
 }

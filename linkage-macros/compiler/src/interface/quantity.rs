@@ -8,7 +8,7 @@ use crate::model::mechanism::OutputKind;
 
 /// The order of a result's derivative by time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
+pub enum Order {
     Position,
     Velocity,
     Acceleration,
@@ -20,7 +20,7 @@ impl Order {
 
 /// The kind of an output, which determines the number and order of its components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Quantity {
+pub enum Quantity {
     Point,
     /// A link's direction, or a named angle's.
     Direction,
@@ -40,7 +40,7 @@ pub(crate) enum Quantity {
 
 /// A component.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) struct QuantityPart {
+pub struct QuantityPart {
     /// Its field in the record; nothing where there is no record.
     pub field: &'static str,
     /// The end of the name of the local that holds it.
@@ -49,7 +49,7 @@ pub(crate) struct QuantityPart {
 
 /// The layout of a quantity at one order.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) struct Layout {
+pub struct Layout {
     /// The record of the run-time crate; none for a plain number.
     pub record: Option<&'static str>,
     /// The components, in the order of the record's fields and of an entry point's sinks.
@@ -83,7 +83,7 @@ impl Quantity {
     ];
 
     /// The quantity of an output.
-    pub(crate) fn of(kind: &OutputKind) -> Self {
+    pub fn of(kind: &OutputKind) -> Self {
         match kind {
             OutputKind::Point(_) | OutputKind::CentreOfMass | OutputKind::Pole(_) => Self::Point,
             OutputKind::Link { direction: true, slide: true, .. } => Self::SlidingDirection,
@@ -98,7 +98,7 @@ impl Quantity {
         }
     }
 
-    pub(crate) fn layout(self, order: Order) -> &'static Layout {
+    pub fn layout(self, order: Order) -> &'static Layout {
         let layouts = match self {
             Self::Point => &POINT,
             Self::Direction => &DIRECTION,
@@ -118,7 +118,7 @@ impl Quantity {
     }
 
     /// The scalar rows, of which there are as many at every order.
-    pub(crate) fn rows(self) -> &'static [&'static str] {
+    pub fn rows(self) -> &'static [&'static str] {
         self.layout(Order::Position).rows
     }
 }
@@ -249,39 +249,3 @@ const SHAKING: [Layout; 3] = [const {
         words: "force in N and couple in N·m",
     }
 }; 3];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const ALL: [Quantity; 5] = [
-        Quantity::Point,
-        Quantity::Direction,
-        Quantity::SlidingDirection,
-        Quantity::Slide,
-        Quantity::Value,
-    ];
-
-    #[test]
-    fn rates_have_a_component_a_row() {
-        for quantity in ALL {
-            let rows = quantity.rows();
-            for order in [Order::Velocity, Order::Acceleration] {
-                let Layout { parts, rows: these, .. } = quantity.layout(order);
-                assert_eq!((parts.len(), *these), (rows.len(), rows), "{quantity:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_position_has_two_components_for_an_angle_and_one_for_every_other_row() {
-        for quantity in ALL {
-            let Layout { parts, rows, .. } = quantity.layout(Order::Position);
-            let fields: Vec<_> = parts.iter().map(|part| part.field).collect();
-            let expected: Vec<_> = (rows.iter())
-                .flat_map(|&row| if row == "angle" { vec!["cos", "sin"] } else { vec![row] })
-                .collect();
-            assert_eq!(fields, expected, "{quantity:?}");
-        }
-    }
-}

@@ -8,7 +8,7 @@ use crate::model::mechanism::{DeclaredOutput, Mechanism, OutputKind};
 
 /// An index into `Interface::records`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct RecordId(usize);
+pub struct RecordId(usize);
 
 impl RecordId {
     /// The id of the record at this place of the list.
@@ -23,7 +23,7 @@ impl RecordId {
 
 /// The shape of a result or a part of it, which determines the order of its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
+pub enum Shape {
     Number,
     /// So many numbers.
     List(usize),
@@ -39,7 +39,7 @@ pub(crate) enum Shape {
 
 /// A struct of the generated code.
 #[derive(Debug)]
-pub(crate) struct Record {
+pub struct Record {
     pub name: Ident,
     pub kind: RecordKind,
     pub fields: Vec<Field>,
@@ -47,7 +47,7 @@ pub(crate) struct Record {
 
 /// The purpose of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum RecordKind {
+pub enum RecordKind {
     /// Several inputs, or their velocities or accelerations.
     Inputs,
     /// Every output at one order.
@@ -122,7 +122,7 @@ impl RecordKind {
 }
 
 #[derive(Debug)]
-pub(crate) struct Field {
+pub struct Field {
     pub name: Ident,
     pub shape: Shape,
     pub subject: Subject,
@@ -130,7 +130,7 @@ pub(crate) struct Field {
 
 /// The content of a field, for its documentation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Subject {
+pub enum Subject {
     /// An index into the mechanism's inputs.
     Input(usize),
     /// An index into the mechanism's outputs.

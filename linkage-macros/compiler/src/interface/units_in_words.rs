@@ -4,7 +4,7 @@ use crate::interface::quantity::Order;
 use crate::model::mechanism::Dimension;
 
 /// The unit of a quantity or of its rates: `m`, `rad/s`, `N·m`; `1` for a plain number.
-pub(crate) fn unit(dimension: Dimension, order: Order) -> String {
+pub fn unit(dimension: Dimension, order: Order) -> String {
     let Dimension { length, mass, time, angle } = dimension;
     // Newtons, where a mass and as many seconds below the line are there for them.
     let forces = if mass > 0 && time <= -2 * mass { mass } else { 0 };
@@ -41,26 +41,5 @@ fn raised(word: &str, power: i32) -> String {
         2 => format!("{word}²"),
         3 => format!("{word}³"),
         _ => format!("{word}^{power}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn units_read_as_an_engineer_writes_them() {
-        let dimension = |length, mass, time| Dimension { length, mass, time, angle: false };
-        assert_eq!(unit(dimension(1, 0, 0), Order::Position), "m");
-        assert_eq!(unit(Dimension::ANGLE, Order::Velocity), "rad/s");
-        assert_eq!(unit(dimension(2, 1, 0), Order::Acceleration), "kg·m²/s²");
-        assert_eq!(unit(dimension(0, 0, 0), Order::Position), "1");
-        assert_eq!(unit(dimension(-1, 0, 0), Order::Position), "1/m");
-        assert_eq!(unit(dimension(1, 1, -2), Order::Position), "N");
-        assert_eq!(unit(dimension(2, 1, -2), Order::Position), "N·m");
-        assert_eq!(unit(dimension(0, 1, -2), Order::Position), "N/m");
-        assert_eq!(unit(dimension(1, 0, -2), Order::Position), "m/s²");
-        assert_eq!(unit(dimension(0, 1, -1), Order::Position), "kg/s");
-        assert_eq!(unit(dimension(-1, 1, -1), Order::Position), "kg/(m·s)");
     }
 }

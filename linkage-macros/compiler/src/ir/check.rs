@@ -5,7 +5,7 @@ use crate::exact::Exact;
 /// A condition on a value. The fast path makes the comparison of its row; the slow path looks at the
 /// operands and decides, by the type of the run-time crate that the row names.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Check {
+pub enum Check {
     /// Circles of radii l₁ and l₂ about points d = (dx, dy) apart must meet. Operands dx, dy, l₁, l₂, a
     /// unit and the spread, a number that rounding changes the value in the last places of. The value is
     /// (d² − (l₁ − l₂)²) ((l₁ + l₂)² − d²)/(4 l₁ l₂)² in squares of the unit. Where rounding could have
@@ -46,7 +46,7 @@ pub(crate) enum Check {
 
 /// The comparison of a value with a threshold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Comparison {
+pub enum Comparison {
     /// value > threshold
     Above,
     /// value ≥ threshold
@@ -57,7 +57,7 @@ pub(crate) enum Comparison {
 
 /// The threshold that the condition itself asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Least {
+pub enum Least {
     Zero,
     /// The rounding of the last operand, a spread.
     Rounding,
@@ -69,7 +69,7 @@ pub(crate) enum Least {
 
 /// A condition's row.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct CheckRow {
+pub struct CheckRow {
     /// The condition's type in the run-time crate.
     pub diagnosis: &'static str,
     /// The comparison of the fast path, if it makes one.
@@ -89,7 +89,7 @@ pub(crate) enum TransmissionTriangle {
 }
 
 impl Check {
-    pub(crate) fn row(&self) -> CheckRow {
+    pub fn row(&self) -> CheckRow {
         use Comparison::{Above, AtLeast, Away};
         let row = |diagnosis, comparison, reads_operands, holds| CheckRow {
             diagnosis,

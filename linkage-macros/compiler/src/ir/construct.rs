@@ -11,17 +11,17 @@ use crate::ir::program::{Clearance, Closure, Program};
 
 /// Looks at a node that is about to be made and answers with what stands for it, if anything
 /// simpler does.
-pub(crate) type Rule = fn(&mut Maker<'_>, Node) -> Option<Id>;
+pub type Rule = fn(&mut Maker<'_>, Node) -> Option<Id>;
 
 /// A graph under construction and the rules that hold in it.
-pub(crate) struct Maker<'g> {
+pub struct Maker<'g> {
     pub graph: &'g mut Graph,
     pub rules: &'g [Rule],
 }
 
 impl Maker<'_> {
     /// The node, or what the rules put in its place.
-    pub(crate) fn make(&mut self, node: Node) -> Id {
+    pub fn make(&mut self, node: Node) -> Id {
         for rule in self.rules {
             if let Some(id) = rule(self, node) {
                 return id;
@@ -63,7 +63,7 @@ impl Maker<'_> {
 }
 
 /// The program made anew under the rules; what no entry needs is left behind.
-pub(crate) fn rebuild(program: &Program, rules: &[Rule]) -> Program {
+pub fn rebuild(program: &Program, rules: &[Rule]) -> Program {
     rebuild_with(program, rules, |_, _, _| None)
 }
 

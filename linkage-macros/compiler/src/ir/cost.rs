@@ -6,10 +6,9 @@
 use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::hash::Map;
-#[cfg(test)]
 use crate::ir::liveness::{Path, live, tried};
 use crate::ir::liveness::{trial_nodes, unguarded};
-pub(crate) use crate::ir::operations::Operations;
+pub use crate::ir::operations::Operations;
 
 /// Costs of a graph's nodes: found once, and added up for many sinks.
 pub(crate) struct Costs<'g> {
@@ -92,8 +91,7 @@ impl<'g> Costs<'g> {
 }
 
 /// The operations that computing the sinks takes.
-#[cfg(test)]
-pub(crate) fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
+pub fn operations(graph: &Graph, sinks: &[Id]) -> Operations {
     Costs::of(graph, &tried(graph)).operations(&live(graph, sinks, Path::Fast))
 }
 
@@ -144,68 +142,5 @@ fn of(graph: &Graph, node: Node) -> Operations {
         }
         // s is computed once: z = s − a, (a − (s − z)) + (b − z).
         Node::AddErr(..) => Operations { additions: 5, ..none },
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::ir::graph::{Check, Guard};
-
-    fn input(graph: &mut Graph, input: u32) -> Id {
-        graph.push(Node::Input { input, order: 0 })
-    }
-
-    #[test]
-    fn sine_and_cosine_of_one_angle_are_one_call() {
-        let mut graph = Graph::new();
-        let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
-        let sinks = [
-            Node::Apply(Function::Sin, a),
-            Node::Apply(Function::Cos, a),
-            Node::Apply(Function::Cos, b),
-        ]
-        .map(|node| graph.push(node));
-        assert_eq!(operations(&graph, &sinks).sines, 2);
-        assert_eq!(operations(&graph, &sinks[..2]).sines, 1);
-    }
-
-    #[test]
-    fn a_product_of_the_same_factors_is_one_multiplication() {
-        let mut graph = Graph::new();
-        let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
-        let less = graph.push(Node::Neg(a));
-        let sinks = [Node::Mul(a, b), Node::Fused(less, b, a), Node::Fused(b, a, b)]
-            .map(|node| graph.push(node));
-        let counted = operations(&graph, &sinks);
-        let expected = Operations { additions: 2, multiplications: 1, ..Operations::default() };
-        assert_eq!(counted, expected);
-    }
-
-    #[test]
-    fn only_what_the_sinks_need_is_counted_and_only_once() {
-        let mut graph = Graph::new();
-        let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
-        let product = graph.push(Node::Mul(a, b));
-        let square = graph.push(Node::Mul(product, product));
-        let root = graph.push(Node::Apply(Function::Sqrt, product));
-        let quotient = graph.push(Node::Div(a, b));
-        let counted = operations(&graph, &[square, root]);
-        let expected = Operations { multiplications: 2, roots: 1, ..Operations::default() };
-        assert_eq!(counted, expected);
-        assert_eq!(operations(&graph, &[quotient]).divisions, 1);
-        assert_eq!(operations(&graph, &[quotient]).multiplications, 0);
-    }
-
-    #[test]
-    fn what_only_the_careful_path_looks_at_is_free() {
-        let mut graph = Graph::new();
-        let (a, b) = (input(&mut graph, 0), input(&mut graph, 1));
-        let looked_at = graph.push(Node::Div(a, b));
-        let guard = Guard { check: Check::Nonzero, group: 0, operands: vec![looked_at] };
-        let guarded = graph.guard(a, guard);
-        let sink = graph.push(Node::Add(guarded, b));
-        let expected = Operations { additions: 1, ..Operations::default() };
-        assert_eq!(operations(&graph, &[sink]), expected);
     }
 }

@@ -33,17 +33,17 @@
 //! every rewrite, for whoever reads the generated code. Names mean nothing to the compiler.
 
 use crate::exact::Exact;
-pub(crate) use crate::ir::check::Check;
+pub use crate::ir::check::Check;
 use crate::ir::hash::{Map, Set};
 use crate::ir::implicit::Implicit;
-pub(crate) use crate::ir::node::{
+pub use crate::ir::node::{
     ConstantId, GuardId, Id, ImplicitId, Node, Path, RootSearch, Target, Trend,
 };
 
 /// A condition on a value. In the generated code's straight line it is one comparison; where that
 /// fails, the slow path looks at the operands and decides.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Guard {
+pub struct Guard {
     pub check: Check,
     /// The group whose failure it is: an index into `Program::groups`.
     pub group: u32,
@@ -89,14 +89,14 @@ impl OperandForm {
 /// See the module's documentation.
 /// The name of a value in formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Letter {
+pub struct Letter {
     pub text: String,
     /// True if the value is no local for the sake of its name.
     pub is_in_passing: bool,
 }
 
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Graph {
+pub struct Graph {
     nodes: Vec<Node>,
     constants: Vec<Constant>,
     guards: Set<Guard>,
@@ -109,7 +109,7 @@ pub(crate) struct Graph {
 }
 
 impl Graph {
-    pub(crate) fn new() -> Self {
+    pub fn new() -> Self {
         Self::default()
     }
 
@@ -120,11 +120,11 @@ impl Graph {
     }
 
     /// The id of the node, which is made unless an equal one exists.
-    pub(crate) fn push(&mut self, node: Node) -> Id {
+    pub fn push(&mut self, node: Node) -> Id {
         let next = Id(u32::try_from(self.nodes.len()).expect("a graph has fewer than 2^32 nodes"));
         let id = *self.node_ids.or_insert(node, next);
         if id == next {
-            if cfg!(test) {
+            if cfg!(debug_assertions) {
                 let is_earlier = |operand| assert!(operand < id, "operands come first");
                 self.for_operands(node, Path::Slow, &mut { is_earlier });
             }
@@ -134,7 +134,7 @@ impl Graph {
         id
     }
 
-    pub(crate) fn intern(&mut self, value: Exact) -> ConstantId {
+    pub fn intern(&mut self, value: Exact) -> ConstantId {
         if let Some(&id) = self.constant_ids.get(&value) {
             return id;
         }
@@ -156,7 +156,7 @@ impl Graph {
         id
     }
 
-    pub(crate) fn constant(&mut self, value: Exact) -> Id {
+    pub fn constant(&mut self, value: Exact) -> Id {
         let constant = self.intern(value);
         self.push(Node::Constant(constant))
     }
@@ -165,7 +165,7 @@ impl Graph {
         GuardId(self.guards.number(guard))
     }
 
-    pub(crate) fn condition(&self, guard: GuardId) -> &Guard {
+    pub fn condition(&self, guard: GuardId) -> &Guard {
         self.guards.by_number(guard.0)
     }
 
@@ -173,12 +173,12 @@ impl Graph {
         ImplicitId(self.implicits.number(implicit))
     }
 
-    pub(crate) fn implicit(&self, id: ImplicitId) -> &Implicit {
+    pub fn implicit(&self, id: ImplicitId) -> &Implicit {
         self.implicits.by_number(id.0)
     }
 
     /// The search that the node is the root or the end of.
-    pub(crate) fn search(&self, id: Id) -> Option<(ImplicitId, RootSearch)> {
+    pub fn search(&self, id: Id) -> Option<(ImplicitId, RootSearch)> {
         let Node::Solved(solve, 0, _) = self.node(id) else { return None };
         let Implicit::Root(sought) = self.implicit(solve) else { return None };
         Some((solve, *sought))
@@ -195,13 +195,12 @@ impl Graph {
     }
 
     /// Name of the value in formulas.
-    pub(crate) fn name_of(&self, id: Id) -> Option<&Letter> {
+    pub fn name_of(&self, id: Id) -> Option<&Letter> {
         self.names.get(&id)
     }
 
     /// The value under the guard.
-    #[cfg(test)]
-    pub(crate) fn guard(&mut self, value: Id, guard: Guard) -> Id {
+    pub fn guard(&mut self, value: Id, guard: Guard) -> Id {
         let guard = self.intern_guard(guard);
         self.push(Node::Guard(value, guard))
     }
@@ -211,12 +210,12 @@ impl Graph {
         self.node_ids.get(&node).copied()
     }
 
-    pub(crate) fn node(&self, id: Id) -> Node {
+    pub fn node(&self, id: Id) -> Node {
         self.nodes[id.index()]
     }
 
     /// All nodes, operands before users.
-    pub(crate) fn nodes(&self) -> &[Node] {
+    pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
@@ -225,16 +224,17 @@ impl Graph {
         self.has_trials
     }
 
-    pub(crate) fn len(&self) -> usize {
+    #[expect(clippy::len_without_is_empty, reason = "no caller asks")]
+    pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
     /// The same with their ids.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = (Id, Node)> + '_ {
+    pub fn iter(&self) -> impl Iterator<Item = (Id, Node)> + '_ {
         self.nodes.iter().enumerate().map(|(i, &node)| (Id(i as u32), node))
     }
 
-    pub(crate) fn value(&self, constant: ConstantId) -> &Exact {
+    pub fn value(&self, constant: ConstantId) -> &Exact {
         &self.constants[constant.0 as usize].value
     }
 
@@ -263,7 +263,7 @@ impl Graph {
     }
 
     /// The exact constant that the node is, if it is one.
-    pub(crate) fn as_constant(&self, id: Id) -> Option<&Exact> {
+    pub fn as_constant(&self, id: Id) -> Option<&Exact> {
         match self.node(id) {
             Node::Constant(constant) => Some(self.value(constant)),
             _ => None,
@@ -280,14 +280,14 @@ impl Graph {
     }
 
     /// Spread that a guard compares its value with; none for any other node or guard.
-    pub(crate) fn spread(&self, node: Node) -> Option<Id> {
+    pub fn spread(&self, node: Node) -> Option<Id> {
         let Node::Guard(_, guard) = node else { return None };
         let guard = self.condition(guard);
         guard.operands.last().copied().filter(|_| guard.check.has_spread())
     }
 
     /// Calls `f` with every operand that is followed on a path.
-    pub(crate) fn for_operands(&self, node: Node, path: Path, f: &mut impl FnMut(Id)) {
+    pub fn for_operands(&self, node: Node, path: Path, f: &mut impl FnMut(Id)) {
         match node {
             Node::Guard(_, guard) => match path {
                 Path::Unchecked => {}

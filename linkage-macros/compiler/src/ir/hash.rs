@@ -10,34 +10,34 @@ use std::ops::Index;
 
 /// Values by keys.
 #[derive(Clone, Debug)]
-pub(crate) struct Map<K, V> {
+pub struct Map<K, V> {
     entries: Vec<(K, V)>,
     /// An entry's number plus one and the upper half of its key's hash, at the first free slot from
     /// where that hash points; zero where nothing is. A power of two in number, at most half of
     /// them taken.
-    slots: Vec<u64>,
+    pub slots: Vec<u64>,
 }
 
 impl<K: Hash + Eq, V> Map<K, V> {
     /// An empty map with room for so many entries.
-    pub(crate) fn with_room(entries: usize) -> Self {
+    pub fn with_room(entries: usize) -> Self {
         let slots = vec![0; (2 * entries + 2).next_power_of_two()];
         Self { entries: Vec::with_capacity(entries), slots }
     }
 
-    pub(crate) fn get(&self, key: &K) -> Option<&V> {
+    pub fn get(&self, key: &K) -> Option<&V> {
         match self.find(key, hash(key)) {
             Bucket::Taken(entry) => Some(&self.entries[entry].1),
             Bucket::Free(_) => None,
         }
     }
 
-    pub(crate) fn contains(&self, key: &K) -> bool {
+    pub fn contains(&self, key: &K) -> bool {
         matches!(self.find(key, hash(key)), Bucket::Taken(_))
     }
 
     /// Puts the value in the place of what the key had; whether it had nothing.
-    pub(crate) fn insert(&mut self, key: K, value: V) -> bool {
+    pub fn insert(&mut self, key: K, value: V) -> bool {
         let hash = hash(&key);
         match self.find(&key, hash) {
             Bucket::Taken(entry) => {
@@ -52,7 +52,7 @@ impl<K: Hash + Eq, V> Map<K, V> {
     }
 
     /// Value of the key; inserts the given value if the key is new.
-    pub(crate) fn or_insert(&mut self, key: K, value: V) -> &mut V {
+    pub fn or_insert(&mut self, key: K, value: V) -> &mut V {
         let hash = hash(&key);
         let entry = match self.find(&key, hash) {
             Bucket::Taken(entry) => entry,
@@ -61,7 +61,7 @@ impl<K: Hash + Eq, V> Map<K, V> {
         &mut self.entries[entry].1
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
@@ -69,11 +69,11 @@ impl<K: Hash + Eq, V> Map<K, V> {
         self.entries.iter()
     }
 
-    pub(crate) fn keys(&self) -> impl Iterator<Item = &K> {
+    pub fn keys(&self) -> impl Iterator<Item = &K> {
         self.iter().map(|(key, _)| key)
     }
 
-    pub(crate) fn values(&self) -> impl Iterator<Item = &V> {
+    pub fn values(&self) -> impl Iterator<Item = &V> {
         self.iter().map(|(_, value)| value)
     }
 
@@ -173,10 +173,10 @@ impl<K: Hash + Eq, V> Index<&K> for Map<K, V> {
 
 /// Keys alone.
 #[derive(Clone, Debug)]
-pub(crate) struct Set<K>(Map<K, ()>);
+pub struct Set<K>(Map<K, ()>);
 
 impl<K: Hash + Eq> Set<K> {
-    pub(crate) fn contains(&self, key: &K) -> bool {
+    pub fn contains(&self, key: &K) -> bool {
         self.0.contains(key)
     }
 
@@ -262,38 +262,5 @@ impl Hasher for Mixer {
     fn finish(&self) -> u64 {
         // A slot is taken from the low bits, which multiplication mixes least.
         self.0.rotate_left(26)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_map_finds_what_was_inserted_and_nothing_else() {
-        let mut map = Map::default();
-        assert!(map.is_empty() && map.get(&0).is_none());
-        for key in 0..1000_u32 {
-            assert!(map.insert(key * key, key));
-        }
-        assert!(!map.insert(49, 70));
-        assert_eq!(*map.or_insert(49, 0), 70);
-        assert_eq!(*map.or_insert(50, 51), 51);
-        for key in 0..1000_u32 {
-            let value = if key == 7 { 70 } else { key };
-            assert_eq!(map[&(key * key)], value);
-            assert!(key < 2 || map.contains(&(key * key + 2)) == (key == 0));
-        }
-        let squares = (0..1000).map(|key| key * key);
-        assert!(map.keys().copied().eq(squares.chain([50])));
-    }
-
-    #[test]
-    fn a_map_with_room_is_as_one_that_grew() {
-        let keys = || (0..100_u32).map(|key| (key % 40, key));
-        let (mut roomy, grown) = (Map::with_room(40), keys().collect::<Map<_, _>>());
-        roomy.extend(keys());
-        assert!(roomy.values().eq(grown.values()) && roomy.keys().eq(grown.keys()));
-        assert_eq!(roomy.slots.len(), 128);
     }
 }

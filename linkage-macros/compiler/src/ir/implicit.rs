@@ -9,7 +9,7 @@ use crate::ir::operations::Operations;
 
 /// Equations, and how they are solved.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Implicit {
+pub enum Implicit {
     /// A search. For a root comes out the root and the size that the rounding of its equation is
     /// measured by; for an end the end and one at a dead point, zero elsewhere.
     Root(RootSearch),
@@ -21,7 +21,7 @@ pub(crate) enum Implicit {
 
 /// The equations of amounts of friction that depend on each other.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Contacts {
+pub struct Contacts {
     /// The joints, as errors name them, and whether each is a guide.
     pub joints: Vec<(String, bool)>,
     /// The rows, one after the other, as the run-time crate lays them out; then the first values of the
@@ -43,7 +43,7 @@ impl Implicit {
     }
 
     /// The contacts whose friction is solved; none of a search.
-    pub(crate) fn contacts(&self) -> Option<&Contacts> {
+    pub fn contacts(&self) -> Option<&Contacts> {
         match self {
             Self::Root(_) => None,
             Self::Amounts(contacts) => Some(contacts),
@@ -121,7 +121,7 @@ impl Implicit {
 
     /// The operations of the fast path: all is solved with the first number, and what a search computes
     /// is counted by itself.
-    pub(super) fn cost(&self, output: u32) -> Operations {
+    pub fn cost(&self, output: u32) -> Operations {
         match self {
             Self::Amounts(contacts) if output == 0 => contacts.cost(),
             _ => Operations::default(),
@@ -137,7 +137,7 @@ impl From<Contacts> for Implicit {
 
 impl Contacts {
     /// The rows, and where steps begin.
-    pub(crate) fn parts(&self) -> (Vec<&[Id]>, &[Id]) {
+    pub fn parts(&self) -> (Vec<&[Id]>, &[Id]) {
         let count = self.joints.len();
         let (rows, starts) = self.equations.split_at(self.equations.len() - count);
         (rows.chunks(rows.len() / count).collect(), starts)
@@ -177,32 +177,5 @@ impl Contacts {
         total.divisions = (4 * (pins + below + count) + below) as u32;
         total.roots = (4 * pins + pins * (count + 2)) as u32;
         total
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn operations_of(joints: &[bool]) -> Operations {
-        let joints = joints.iter().map(|&is_guide| (String::new(), is_guide)).collect();
-        let none = Contacts { joints, equations: vec![], positive: vec![], small: vec![] };
-        Implicit::from(none).cost(0)
-    }
-
-    /// A step on n contacts takes 2n products for reactions, 2n for slopes and one for what is solved, of each contact;
-    /// its elimination Σ k² and on both sides n (n − 1). Behind four steps come n + 2 products for each of two components
-    /// of a pin, the elimination once more, and 3n + 1 products of each contact.
-    #[test]
-    fn amounts_cost_four_steps_and_a_bound() {
-        // One guide: 4 · 5 + 4. Two pins and a guide: 4 · (39 + 5 + 6) + 20 + 5 + 30.
-        for (joints, products, divisions, roots) in
-            [(&[true][..], 24, 4, 0), (&[false, false, true], 255, 35, 18)]
-        {
-            let [additions, multiplications] = [products; 2];
-            let none = Operations::default();
-            let expected = Operations { additions, multiplications, divisions, roots, ..none };
-            assert_eq!(operations_of(joints), expected, "{joints:?}");
-        }
     }
 }

@@ -1,18 +1,13 @@
 //! Computes a program's values with any kind of number. In real numbers a rounding error is zero and a fused operation
 //! is its two parts.
 
-#[cfg(test)]
-mod whole_program;
-
 use crate::exact::Exact;
 use crate::function::{Floating, Function};
 use crate::ir::graph::{Id, Node};
 use crate::ir::program::Program;
-#[cfg(test)]
-pub(crate) use whole_program::{amounts, interpret, jams};
 
 /// A number that a program can be computed with.
-pub(crate) trait Number: Clone {
+pub trait Number: Clone {
     fn exact(value: &Exact) -> Self;
     fn neg(&self) -> Self;
     fn add(&self, other: &Self) -> Self;
@@ -22,9 +17,6 @@ pub(crate) trait Number: Clone {
     /// The function of one number or two.
     fn of(function: Function, operands: &[&Self]) -> Self;
     fn is_at_least(&self, other: &Self) -> bool;
-    /// The midpoint of what the number is known to lie in.
-    #[cfg(test)]
-    fn point(&self) -> Self;
 
     fn sin(&self) -> Self {
         Self::of(Function::Sin, &[self])
@@ -32,19 +24,10 @@ pub(crate) trait Number: Clone {
     fn cos(&self) -> Self {
         Self::of(Function::Cos, &[self])
     }
-    /// The angle of the vector (x, self).
-    #[cfg(test)]
-    fn atan2(&self, x: &Self) -> Self {
-        Self::of(Function::Atan2, &[self, x])
-    }
-    #[cfg(test)]
-    fn hypot(&self, other: &Self) -> Self {
-        Self::of(Function::Hypot, &[self, other])
-    }
 }
 
 /// Values given to the program.
-pub(crate) struct ProgramValues<N> {
+pub struct ProgramValues<N> {
     /// Value, rate and acceleration of each input.
     pub inputs: Vec<[N; 3]>,
     pub params: Vec<N>,
@@ -68,7 +51,7 @@ impl<N: Number> ProgramValues<N> {
 }
 
 /// The numbers of these nodes, of which none stands on a search, by the nodes that they need.
-pub(crate) fn straight<N: Number>(
+pub fn straight<N: Number>(
     program: &Program,
     given: &ProgramValues<N>,
     (sinks, is_needed): (&[Id], &[bool]),
@@ -84,7 +67,7 @@ pub(crate) fn straight<N: Number>(
 }
 
 /// The value of a node by those of its operands.
-pub(super) fn value<N: Number>(
+pub fn value<N: Number>(
     program: &Program,
     given: &ProgramValues<N>,
     values: &[N],
@@ -122,10 +105,6 @@ pub(super) fn value<N: Number>(
 macro_rules! floats {
     ($($float:ident)+) => {$(
 impl Number for $float {
-    #[cfg(test)]
-    fn point(&self) -> Self {
-        *self
-    }
     fn exact(value: &Exact) -> Self {
         value.to_f64() as Self
     }
@@ -158,6 +137,4 @@ impl Number for $float {
     )+};
 }
 
-floats! { f64 }
-#[cfg(test)]
-floats! { f32 }
+floats! { f32 f64 }

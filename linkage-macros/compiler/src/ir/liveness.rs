@@ -1,10 +1,10 @@
 //! Nodes to be computed for a set of sinks.
 
 use crate::ir::graph::{Graph, Id, Node};
-pub(crate) use crate::ir::node::Path;
+pub use crate::ir::node::Path;
 
 /// For every node of the graph, whether one of the sinks needs it.
-pub(crate) fn live(graph: &Graph, sinks: &[Id], path: Path) -> Vec<bool> {
+pub fn live(graph: &Graph, sinks: &[Id], path: Path) -> Vec<bool> {
     let mut live = vec![false; graph.len()];
     sinks.iter().for_each(|sink| live[sink.index()] = true);
     spread(graph, &mut live, path);
@@ -27,15 +27,12 @@ pub(super) fn spread(graph: &Graph, live: &mut [bool], path: Path) {
 }
 
 /// The live nodes in the order of the graph, operands before users.
-pub(crate) fn live_nodes<'a>(
-    graph: &'a Graph,
-    live: &'a [bool],
-) -> impl Iterator<Item = (Id, Node)> + 'a {
+pub fn live_nodes<'a>(graph: &'a Graph, live: &'a [bool]) -> impl Iterator<Item = (Id, Node)> + 'a {
     graph.iter().filter(|(id, _)| live[id.0 as usize])
 }
 
 /// For every node, whether its value depends on a trial: it is computed inside a search alone.
-pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
+pub fn tried(graph: &Graph) -> Vec<bool> {
     let mut tried = vec![false; graph.len()];
     // Most mechanisms search nothing.
     if !graph.has_trials() {
@@ -53,7 +50,7 @@ pub(crate) fn tried(graph: &Graph) -> Vec<bool> {
 
 /// Nodes that a trial computes for the sides of an equation, operands before users. Nodes that no trial
 /// changes, another root included, are not followed.
-pub(crate) fn trial_nodes(graph: &Graph, tried: &[bool], sides: &[Id]) -> Vec<(Id, Node)> {
+pub fn trial_nodes(graph: &Graph, tried: &[bool], sides: &[Id]) -> Vec<(Id, Node)> {
     let mut needed = vec![false; graph.len()];
     sides.iter().for_each(|side| needed[side.index()] = true);
     for index in (0..graph.len()).rev() {
@@ -65,7 +62,7 @@ pub(crate) fn trial_nodes(graph: &Graph, tried: &[bool], sides: &[Id]) -> Vec<(I
 }
 
 /// The node itself, or the value that it stands on: nothing is computed in between in the fast path.
-pub(crate) fn unguarded(graph: &Graph, mut id: Id) -> Id {
+pub fn unguarded(graph: &Graph, mut id: Id) -> Id {
     while let Some(value) = graph.beneath(id) {
         id = value;
     }

@@ -4,29 +4,29 @@ use crate::function::Function;
 
 /// A node of a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) struct Id(pub u32);
+pub struct Id(pub u32);
 
 impl Id {
-    pub(crate) const fn index(self) -> usize {
+    pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
 /// An interned exact constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) struct ConstantId(pub u32);
+pub struct ConstantId(pub u32);
 
 /// A condition, see `graph::Guard`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) struct GuardId(pub u32);
+pub struct GuardId(pub u32);
 
 /// Equations that are solved at run time, see `implicit::Implicit`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) struct ImplicitId(pub u32);
+pub struct ImplicitId(pub u32);
 
 /// Selection of the operands that are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Path {
+pub enum Path {
     /// Operands of the fast path: the guarded value, and what it is compared with.
     Fast,
     /// Operands of the slow path as well.
@@ -36,7 +36,7 @@ pub(crate) enum Path {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Node {
+pub enum Node {
     Constant(ConstantId),
     /// An input (`order` 0), its rate (1) or its acceleration (2).
     Input {
@@ -92,7 +92,7 @@ pub(crate) enum Node {
 
 /// Specification of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct RootSearch {
+pub struct RootSearch {
     pub unknown: u32,
     pub wanted: Target,
     /// The sign of the slope at the root.
@@ -106,14 +106,14 @@ pub(crate) struct RootSearch {
 
 /// Target of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Target {
+pub enum Target {
     Root,
     /// The lower (0) or upper (1) end of the stretch on which the equation has the trend.
     End(u8),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Trend {
+pub enum Trend {
     Rising,
     Falling,
     /// As this mode parameter says.
@@ -122,7 +122,7 @@ pub(crate) enum Trend {
 
 impl Trend {
     /// The sign of the slope, unless a parameter chooses it.
-    pub(crate) fn sign(self) -> Option<f64> {
+    pub fn sign(self) -> Option<f64> {
         match self {
             Self::Rising => Some(1.0),
             Self::Falling => Some(-1.0),
@@ -150,7 +150,7 @@ impl Trend {
 
 impl Node {
     /// Calls `f` with every operand that stands in the node itself: `Graph::for_operands` knows the others.
-    pub(crate) fn for_operands(self, f: &mut impl FnMut(Id)) {
+    pub fn for_operands(self, f: &mut impl FnMut(Id)) {
         self.map_operands(&mut |operand| {
             f(operand);
             operand

@@ -4,7 +4,7 @@ use std::ops::AddAssign;
 
 /// Counts of floating-point operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Operations {
+pub struct Operations {
     /// Additions and subtractions.
     pub additions: u32,
     pub multiplications: u32,

@@ -6,7 +6,7 @@ use crate::ir::graph::{Graph, Id};
 use crate::ir::liveness::{Path, live, spread};
 
 #[derive(Clone, Debug)]
-pub(crate) struct Program {
+pub struct Program {
     pub graph: Graph,
     pub answers: Vec<EntryOutputs>,
     /// Clearances for following a motion through changes of mode, group by group in solving order.
@@ -19,7 +19,7 @@ pub(crate) struct Program {
 
 impl Program {
     /// A program in which every number of every result is zero, given how many each has.
-    pub(crate) fn of_zeros(answers: impl Iterator<Item = (Option<EntryPoint>, usize)>) -> Self {
+    pub fn of_zeros(answers: impl Iterator<Item = (Option<EntryPoint>, usize)>) -> Self {
         let mut graph = Graph::new();
         let zero = graph.constant(Exact::integer(0));
         let answers =
@@ -29,14 +29,13 @@ impl Program {
     }
 
     /// Answer of the entry point with this name, if there is one.
-    #[cfg(test)]
-    pub(crate) fn answer(&self, entry: &str) -> Option<&EntryOutputs> {
+    pub fn answer(&self, entry: &str) -> Option<&EntryOutputs> {
         let point = Some(EntryPoint::named(entry));
         self.answers.iter().find(|answer| answer.entry == point)
     }
 
     /// The sinks of all entry points and clearances.
-    pub(crate) fn sinks(&self) -> Vec<Id> {
+    pub fn sinks(&self) -> Vec<Id> {
         let answers = self.answers.iter().flat_map(|answer| &answer.sinks);
         let clearances = self.clearances.iter().flat_map(Clearance::sinks);
         let closures = self.closures.iter().map(|closure| closure.condition);
@@ -46,7 +45,7 @@ impl Program {
 
 /// A root and its condition.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Closure {
+pub struct Closure {
     pub root: Id,
     /// A guarded left − right.
     pub condition: Id,
@@ -81,7 +80,7 @@ impl Liveness {
 
 /// Values that one entry point requests of the graph.
 #[derive(Clone, Debug)]
-pub(crate) struct EntryOutputs {
+pub struct EntryOutputs {
     /// The entry point; none in the program by which a mechanism is drawn.
     pub entry: Option<EntryPoint>,
     /// The numbers of its result, in the order of the result's shape.
@@ -90,7 +89,7 @@ pub(crate) struct EntryOutputs {
 
 /// Clearance of a group with an assembly mode from its limit.
 #[derive(Clone, Debug)]
-pub(crate) struct Clearance {
+pub struct Clearance {
     /// An index into [`Program::groups`].
     pub group: u32,
     /// The parameter that holds the mode; none where it is a constant.

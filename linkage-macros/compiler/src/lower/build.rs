@@ -23,7 +23,7 @@ use crate::lower::routine::is_leaf;
 use crate::model::mechanism::Mechanism;
 
 /// The routines of everything that the program has answers for.
-pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+pub fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
     let points = program.answers.iter().filter_map(|answer| answer.entry);
     let interface = Interface::of(mechanism).limited_to(points);
     let (plan, locals) = (Plan::of(&interface), locals::named(mechanism, program));
@@ -51,12 +51,12 @@ pub(crate) fn lower<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<
 }
 
 /// The routine of a placing program that says where everything stands, …
-pub(crate) const PLACED: usize = 0;
+pub const PLACED: usize = 0;
 /// … and the one that says which forces are applied, if any are.
-pub(crate) const APPLIED: usize = 1;
+pub const APPLIED: usize = 1;
 
 /// The routines of a program that places what is drawn: where everything stands, and the forces on it.
-pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+pub fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
     // `PLACED` and `APPLIED`.
     let kinds = [("placed_", vec![ArgumentKind::Value]), ("forces_applied_", acting(mechanism))];
     let lists = kinds.into_iter().zip(&program.answers);
@@ -66,13 +66,13 @@ pub(crate) fn lower_placing<'p>(mechanism: &Mechanism, program: &'p Program) -> 
 
 /// The routine of a program that says where masses, couples and wheels are drawn. `placing` has a search of each name
 /// of its own.
-pub(crate) fn lower_marks<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+pub fn lower_marks<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
     let list = ("marked_", acting(mechanism), all_sinks(program));
     listed(mechanism, program, Some("marked_root"), [list])
 }
 
 /// The routine of the numbers by which assemblies are listed, which stand in front of every search.
-pub(crate) fn lower_pinned<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
+pub fn lower_pinned<'p>(mechanism: &Mechanism, program: &'p Program) -> Lowered<'p> {
     let list = ("pinned_", vec![ArgumentKind::Value], all_sinks(program));
     listed(mechanism, program, None, [list])
 }

@@ -6,7 +6,7 @@ use crate::ir::graph::Node;
 
 /// Within these limits no value overflows on the way.
 #[derive(Clone, Debug)]
-pub(super) struct InputLimits {
+pub struct InputLimits {
     /// True for double and for single precision if the limits hold for that width.
     pub widths: [bool; 2],
     /// The largest magnitude of each of these inputs in either width.
@@ -15,10 +15,10 @@ pub(super) struct InputLimits {
 
 /// The angles for which sines are right without a look at more of π, in rad, in both widths: 2²⁰ and some
 /// 8192 turns.
-const NEAR: [f64; 2] = [1_048_576.0, 51_471.0];
+pub const NEAR: [f64; 2] = [1_048_576.0, 51_471.0];
 
 /// The test of an entry point with these witnesses; none where nothing can be other than finite.
-pub(super) fn finite(
+pub fn finite(
     witnesses: &[usize],
     limits: Option<InputLimits>,
     takes_cosine: bool,
@@ -32,7 +32,7 @@ pub(super) fn finite(
 }
 
 /// The sum as a balanced tree: it is short in time, and shallow for the compiler.
-fn sum(values: &[usize]) -> Option<Sum> {
+pub fn sum(values: &[usize]) -> Option<Sum> {
     match values {
         [] => None,
         [only] => Some(Sum::One(*only)),
@@ -46,7 +46,7 @@ fn sum(values: &[usize]) -> Option<Sum> {
 /// One comparison for an angle and its rates: (θ² + θ̇²)² + θ̈² up to the fourth power of a limit keeps angle
 /// and rate within the limit and the acceleration within its square. In double precision it lies at 170 000
 /// turns and as many a second.
-fn on_circle(inputs: &[(Node, [f64; 2])]) -> Bound {
+pub fn on_circle(inputs: &[(Node, [f64; 2])]) -> Bound {
     let of_order = |wanted: u8| {
         let is_it = |node: &Node| matches!(node, Node::Input { order, .. } if *order == wanted);
         inputs.iter().map(|(node, _)| *node).find(is_it)
@@ -65,7 +65,7 @@ fn on_circle(inputs: &[(Node, [f64; 2])]) -> Bound {
 
 /// |value| ≤ limit for each of the inputs; a rate together with its acceleration, whose limit is the
 /// square of the rate's.
-fn within(inputs: &[(Node, [f64; 2])]) -> Vec<Bound> {
+pub fn within(inputs: &[(Node, [f64; 2])]) -> Vec<Bound> {
     let is_asked = |node| inputs.iter().any(|&(other, _)| other == node);
     let bound = |&(value, [wide, narrow]): &(Node, [f64; 2])| {
         let Node::Input { input, order } = value else { return None };
@@ -78,78 +78,4 @@ fn within(inputs: &[(Node, [f64; 2])]) -> Vec<Bound> {
         }
     };
     inputs.iter().filter_map(bound).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const RATE: Node = Node::Input { input: 0, order: 1 };
-    const SECOND: Node = Node::Input { input: 0, order: 2 };
-
-    /// Bounds on these inputs, under limits of 10 in double and 100 in single precision.
-    fn bounds(inputs: &[Node], takes_cosine: bool) -> Vec<Bound> {
-        let inputs = inputs.iter().map(|&node| match node {
-            SECOND => (node, [100.0, 1e4]),
-            _ => (node, [10.0, 100.0]),
-        });
-        let limits = InputLimits { widths: [true; 2], inputs: inputs.collect() };
-        let finite = finite(&[0], Some(limits), takes_cosine).expect("there is a witness");
-        finite.instead.expect("there are limits").1
-    }
-
-    #[test]
-    fn a_rate_is_asked_once_with_its_second_rate() {
-        let both = Bound::WithRate { rate: RATE, second: SECOND, limit: [100.0, 1e4] };
-        assert_eq!(bounds(&[RATE, SECOND], false), [both]);
-        let within = |value, limit| Bound::Within { value, limit };
-        assert_eq!(bounds(&[SECOND], false), [within(SECOND, [100.0, 1e4])]);
-        assert_eq!(bounds(&[RATE], false), [within(RATE, [10.0, 100.0])]);
-        let other = Node::Input { input: 1, order: 2 };
-        let apart = [within(RATE, [10.0, 100.0]), within(other, [10.0, 100.0])];
-        assert_eq!(bounds(&[RATE, other], false), apart);
-        // Infinity is within no limit.
-        let beyond = [(RATE, [f64::INFINITY; 2])];
-        assert_eq!(super::within(&beyond), [within(RATE, [f64::MAX, f32::MAX.into()])]);
-    }
-
-    #[test]
-    fn an_angle_is_asked_together_with_its_rates() {
-        let on_circle = |rate, second, limit| [Bound::OnCircle { rate, second, limit }];
-        let both = on_circle(Some(RATE), Some(SECOND), [1e4, 1e8]);
-        assert_eq!(bounds(&[RATE, SECOND], true), both);
-        assert_eq!(bounds(&[RATE], true), on_circle(Some(RATE), None, [100.0, 1e4]));
-        assert_eq!(bounds(&[SECOND], true), on_circle(None, Some(SECOND), [1e4, 1e8]));
-        assert_eq!(bounds(&[], true), [], "the angle's own test is enough");
-        // Wide limits give way to the sine's own.
-        let wide = [(RATE, [f64::MAX; 2])];
-        let limit = NEAR.map(|near| near * near);
-        assert_eq!(
-            super::on_circle(&wide),
-            Bound::OnCircle { rate: Some(RATE), second: None, limit }
-        );
-    }
-
-    #[test]
-    fn angles_are_near_as_far_as_at_run_time() {
-        use linkage_core::Scalar;
-        let [wide, narrow] = NEAR;
-        assert!(wide.is_near() && !wide.next_up().is_near());
-        let narrow = narrow as f32;
-        assert!(narrow.is_near() && !narrow.next_up().is_near());
-    }
-
-    #[test]
-    fn a_sum_is_as_shallow_as_can_be() {
-        fn depth(sum: &Sum) -> usize {
-            match sum {
-                Sum::One(_) => 0,
-                Sum::Of(parts) => 1 + parts.iter().map(depth).max().unwrap_or(0),
-            }
-        }
-        let values: Vec<usize> = (0..33).collect();
-        assert_eq!(sum(&values).as_ref().map(depth), Some(6));
-        assert_eq!(sum(&values[..32]).as_ref().map(depth), Some(5));
-        assert!(finite(&[], None, false).is_none());
-    }
 }

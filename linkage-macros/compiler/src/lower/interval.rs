@@ -5,14 +5,14 @@
 
 /// All numbers x with `low` ≤ x ≤ `high` and |x| ≥ `away`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Interval {
+pub struct Interval {
     pub low: f64,
     pub high: f64,
     pub away: f64,
 }
 
 impl Interval {
-    pub(super) fn point(value: f64) -> Self {
+    pub fn point(value: f64) -> Self {
         Self { low: value, high: value, away: value.abs() }
     }
 
@@ -21,7 +21,7 @@ impl Interval {
         Self { low: -magnitude, high: magnitude, away: 0.0 }
     }
 
-    pub(super) fn of(low: f64, high: f64) -> Self {
+    pub fn of(low: f64, high: f64) -> Self {
         let away = if low > 0.0 {
             low
         } else if high < 0.0 {
@@ -37,7 +37,7 @@ impl Interval {
     }
 
     /// True if all numbers are above zero, false if all are below; `None` otherwise.
-    pub(super) fn sign(self) -> Option<bool> {
+    pub fn sign(self) -> Option<bool> {
         (self.low > 0.0 || self.high < 0.0).then_some(self.low > 0.0)
     }
 
@@ -45,7 +45,7 @@ impl Interval {
         Self { low: -self.high, high: -self.low, ..self }
     }
 
-    pub(super) fn plus(self, other: Self) -> Self {
+    pub fn plus(self, other: Self) -> Self {
         Self::of(self.low + other.low, self.high + other.high)
     }
 
@@ -58,7 +58,7 @@ impl Interval {
         }
     }
 
-    pub(super) fn times(self, other: Self) -> Self {
+    pub fn times(self, other: Self) -> Self {
         let corners = [
             self.low * other.low,
             self.low * other.high,
@@ -75,12 +75,12 @@ impl Interval {
         Self { low, high, away: self.away * other.away }
     }
 
-    pub(super) fn squared(self) -> Self {
+    pub fn squared(self) -> Self {
         let (low, high) = (self.away * self.away, self.largest() * self.largest());
         Self { low, high, away: low }
     }
 
-    pub(super) fn reciprocal(self) -> Option<Self> {
+    pub fn reciprocal(self) -> Option<Self> {
         let (least, most) = (1.0 / self.largest(), 1.0 / self.away);
         if !most.is_finite() {
             return None;
@@ -93,7 +93,7 @@ impl Interval {
     }
 
     /// The root, of what cannot be negative.
-    pub(super) fn root(self) -> Option<Self> {
+    pub fn root(self) -> Option<Self> {
         (self.low >= 0.0).then(|| Self::of(self.low.sqrt(), self.high.sqrt()))
     }
 }

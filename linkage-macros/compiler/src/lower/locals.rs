@@ -83,7 +83,7 @@ fn stem(letter: &str) -> String {
 }
 
 /// The name without the double underscores that the compiler frowns upon.
-pub(super) fn single_underscores(name: &str) -> String {
+pub fn single_underscores(name: &str) -> String {
     let mut single = String::with_capacity(name.len() + 1);
     for character in name.chars() {
         if character != '_' || !(single.is_empty() || single.ends_with('_')) {
@@ -94,15 +94,4 @@ pub(super) fn single_underscores(name: &str) -> String {
         single.push('_');
     }
     single
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_local_has_one_underscore_between_its_words_and_one_behind() {
-        assert_eq!(single_underscores("a__b__x_"), "a_b_x_");
-        assert_eq!(single_underscores("_b_x_"), "b_x_");
-    }
 }

@@ -9,11 +9,6 @@
 //! Arc by arc (`arcs`) more is shown than by one interval of all angles.
 
 mod arcs;
-#[cfg(test)]
-mod tests;
-#[cfg(test)]
-mod whole_turns;
-
 use self::arcs::Arcs;
 use super::interval::Interval;
 use crate::exact::Exact;
@@ -25,7 +20,7 @@ use crate::ir::liveness::{live_nodes, unguarded};
 
 /// Assumptions on one width of numbers.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Assumed {
+pub struct Assumed {
     /// The largest magnitude of an input that is not an angle in a sine, and of its rate; of its
     /// acceleration the square of it.
     pub input: f64,
@@ -44,7 +39,7 @@ pub(crate) struct Assumed {
 }
 
 /// The factor of ε of the spread by which a value may be wrong, as the run-time crate counts it.
-const ROUNDINGS: f64 = 16.0;
+pub const ROUNDINGS: f64 = 16.0;
 
 impl Assumed {
     /// Bound on the rounding error of a value of this spread.
@@ -55,7 +50,7 @@ impl Assumed {
 
 /// Tests left to the fast path where no result can overflow: the least value, or magnitude, of each guarded
 /// value, by the unguarded node. Zero where the sign is enough, and `None` where no test is left.
-pub(crate) type Thresholds = Map<Id, Option<f64>>;
+pub type Thresholds = Map<Id, Option<f64>>;
 
 /// The thresholds of guards, and the least lengths of hypotenuses.
 pub(crate) type AskedSizes = (Thresholds, Map<Id, f64>);
@@ -67,14 +62,14 @@ const SLACK: f64 = 1e-6;
 const TINY: f64 = 1e-35;
 
 /// The live nodes of a graph and the ranges of its constants, which hold under any limits.
-pub(crate) struct Values<'a> {
+pub struct Values<'a> {
     graph: &'a Graph,
     live: Vec<(Id, Node)>,
     constants: Vec<Option<Interval>>,
 }
 
 impl<'a> Values<'a> {
-    pub(crate) fn new(graph: &'a Graph, live: &[bool]) -> Self {
+    pub fn new(graph: &'a Graph, live: &[bool]) -> Self {
         let mut constants = vec![None; graph.len()];
         let live: Vec<_> = live_nodes(graph, live).collect();
         for &(id, node) in &live {
@@ -90,7 +85,7 @@ impl<'a> Values<'a> {
 
     /// The thresholds of all guards under the limits, if every live value is bounded, and the least
     /// lengths of hypotenuses.
-    pub(crate) fn thresholds(&self, limits: &Assumed) -> Option<AskedSizes> {
+    pub fn thresholds(&self, limits: &Assumed) -> Option<AskedSizes> {
         let own = self.within(limits, 0.0, None)?;
         // Guards that the run-time's sine alone shows are asked all the same: a target may bring another one.
         let (hooked, _) = self.within(limits, HOOKED_SINE, Some(&own))?;

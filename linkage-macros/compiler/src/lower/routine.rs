@@ -17,7 +17,7 @@ use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
 
 /// A program, ready to be printed.
-pub(crate) struct Lowered<'p> {
+pub struct Lowered<'p> {
     pub program: &'p Program,
     /// Interface of the entry points that the program answers.
     pub interface: Interface,
@@ -35,7 +35,7 @@ pub(crate) struct Lowered<'p> {
 }
 
 /// A function that finds the root of an equation.
-pub(crate) struct Search {
+pub struct Search {
     /// Routine of a trial: both sides and the slope.
     pub routine: Routine,
     pub implicit: ImplicitId,
@@ -61,7 +61,7 @@ impl Search {
 
 /// An equation that stands apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Apart {
+pub struct Apart {
     /// The side that no trial changes: 0 for the left one, 1 for the right one.
     pub given: usize,
     /// True if one root is proved, with a slope that changes its sign next to an end alone.
@@ -69,7 +69,7 @@ pub(crate) struct Apart {
 }
 
 /// Source of an entry point's numbers.
-pub(crate) enum Compute {
+pub enum Compute {
     /// By formulas of its own, as a stage of a routine.
     Own { routine: usize, stage: usize, asked: FinitenessChecks },
     /// By those of another entry point, which is given what was made of its own arguments.
@@ -78,7 +78,7 @@ pub(crate) enum Compute {
 
 /// Arguments given in place of an entry point's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ArgumentAdapter {
+pub enum ArgumentAdapter {
     /// The only input's cosine and sine: where they can be given, its value is needed nowhere
     /// else, so the formulas are written once, for them.
     CosineAndSine,
@@ -87,7 +87,7 @@ pub(crate) enum ArgumentAdapter {
 }
 
 /// A function that holds formulas.
-pub(crate) struct Routine {
+pub struct Routine {
     pub name: String,
     pub given: Vec<ArgumentKind>,
     /// Result of all stages together.
@@ -107,14 +107,14 @@ pub(crate) struct Routine {
 }
 
 /// Statements that end in a result.
-pub(crate) struct Stage {
+pub struct Stage {
     pub result: Shape,
     pub sinks: Vec<Id>,
     pub statements: Vec<Instruction>,
 }
 
 #[derive(Clone, Debug)]
-pub(crate) enum Instruction {
+pub enum Instruction {
     Let(Id),
     /// Sine and cosine of one angle in one call, at the place of whichever comes first.
     SinCos {
@@ -140,7 +140,7 @@ pub(crate) enum Instruction {
 
 /// A condition on a value. The fast path compares; the slow path diagnoses.
 #[derive(Clone, Debug)]
-pub(crate) struct Condition {
+pub struct Condition {
     /// The node that goes on: the value, or what stands for it at a limit.
     pub id: Id,
     pub value: Id,
@@ -157,7 +157,7 @@ pub(crate) struct Condition {
 
 /// Equations that are solved, and what each path reads for that.
 #[derive(Clone, Debug)]
-pub(crate) struct Solving {
+pub struct Solving {
     pub implicit: ImplicitId,
     /// By output, the node that goes on; none where nothing needs it.
     pub outputs: Vec<Option<Id>>,
@@ -180,7 +180,7 @@ impl Solving {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Threshold {
+pub enum Threshold {
     /// The smallest square of full precision of the number's own width.
     SmallestSquare,
     /// In double and in single precision.
@@ -190,7 +190,7 @@ pub(crate) enum Threshold {
 /// Tests beside the conditions on the way, before a result may be used. Results and witnesses are indices
 /// into the stage's sinks and those of the stages before it.
 #[derive(Clone, Debug)]
-pub(crate) struct FinitenessChecks {
+pub struct FinitenessChecks {
     /// The fast path asks this; nothing where no result can be other than finite.
     pub finite: Option<Finite>,
     /// The slow path asks these whether they are finite: first what is given, …
@@ -201,7 +201,7 @@ pub(crate) struct FinitenessChecks {
 
 /// Test that a sum of results is finite.
 #[derive(Clone, Debug)]
-pub(crate) struct Finite {
+pub struct Finite {
     pub sum: Sum,
     /// The widths that need no such test, double and single precision, where these bounds are kept.
     pub instead: Option<([bool; 2], Vec<Bound>)>,
@@ -209,14 +209,14 @@ pub(crate) struct Finite {
 
 /// A sum in the order in which it is added up.
 #[derive(Clone, Debug)]
-pub(crate) enum Sum {
+pub enum Sum {
     One(usize),
     Of(Box<[Self; 2]>),
 }
 
 /// A comparison of inputs with a limit, in double and in single precision.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Bound {
+pub enum Bound {
     /// |value| ≤ limit
     Within { value: Node, limit: [f64; 2] },
     /// |second| ≤ limit − rate²
@@ -228,7 +228,7 @@ pub(crate) enum Bound {
 
 /// Names of a routine's values, and the values that are written where they are used.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Locals {
+pub struct Locals {
     pub names: Map<Id, String>,
     /// Components of results: these are bound to a name even where a sign alone makes them.
     pub components: Set<Id>,

@@ -11,7 +11,7 @@ use crate::ir::liveness::{Path, live_nodes};
 
 /// Nodes scheduled so far, and the values they read from outside.
 #[derive(Clone)]
-pub(super) struct Schedule<'a> {
+pub struct Schedule<'a> {
     pub graph: &'a Graph,
     pub locals: &'a Locals,
     pub path: Path,
@@ -38,7 +38,7 @@ pub(super) struct SinCosPair {
 }
 
 impl<'a> Schedule<'a> {
-    pub(super) fn new(
+    pub fn new(
         graph: &'a Graph,
         locals: &'a Locals,
         path: Path,
@@ -63,7 +63,7 @@ impl<'a> Schedule<'a> {
     }
 
     /// Statements for the live nodes, beyond those scheduled before.
-    pub(super) fn stage(&mut self, live: &[bool]) -> Vec<Instruction> {
+    pub fn stage(&mut self, live: &[bool]) -> Vec<Instruction> {
         let graph = self.graph;
         let mut pairs = pairs(live_nodes(graph, live));
         let mut statements = Vec::new();
@@ -174,7 +174,7 @@ impl<'a> Schedule<'a> {
 }
 
 /// The locals that a statement binds.
-pub(super) fn defines(statement: &Instruction) -> Vec<Id> {
+pub fn defines(statement: &Instruction) -> Vec<Id> {
     match statement {
         Instruction::Let(id) | Instruction::Length { id, .. } => vec![*id],
         Instruction::SinCos { sin, cos, .. } => sin.iter().chain(cos).copied().collect(),
@@ -204,39 +204,4 @@ pub(super) fn pairs(nodes: impl Iterator<Item = (Id, Node)>) -> Map<Id, SinCosPa
 pub(super) fn take(pairs: &mut Map<Id, SinCosPair>, angle: Id) -> Option<SinCosPair> {
     let pair = std::mem::take(pairs.or_insert(angle, SinCosPair::default()));
     (pair.sin.is_some() || pair.cos.is_some()).then_some(pair)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::ir::graph::{Check, Guard};
-    use crate::ir::liveness::{live, tried};
-
-    /// The hypotenuses of a stage, and whether they are asked for their squares.
-    #[test]
-    fn a_hypotenuse_that_the_slow_path_alone_looks_at_is_not_asked() {
-        let mut graph = Graph::new();
-        let [a, b, c] = [0, 1, 2].map(|input| graph.push(Node::Input { input, order: 0 }));
-        let (diagnosed, result) = (
-            graph.push(Node::Apply2(Function::Hypot, a, b)),
-            graph.push(Node::Apply2(Function::Hypot, b, c)),
-        );
-        // For an offset, the fast path reads the value alone.
-        let check = Check::ReachOffset;
-        let operands = vec![diagnosed, a, b];
-        let sink = graph.guard(result, Guard { check, group: 0, operands });
-        let asked = |path| {
-            let locals = Locals::default();
-            let (tried, fast) = (tried(&graph), live(&graph, &[sink], Path::Fast));
-            let mut schedule = Schedule::new(&graph, &locals, path, None, &[], &tried, &fast);
-            let statements = schedule.stage(&live(&graph, &[sink], path));
-            let asked = statements.iter().filter_map(|statement| match statement {
-                Instruction::Length { id, least_square } => Some((*id, *least_square)),
-                _ => None,
-            });
-            asked.collect::<Vec<_>>()
-        };
-        assert_eq!(asked(Path::Slow), [(result, Threshold::SmallestSquare)]);
-        assert_eq!(asked(Path::Unchecked), []);
-    }
 }

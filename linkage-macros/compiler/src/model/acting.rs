@@ -10,10 +10,10 @@ use super::expr::{AngleSum, Scalar};
 use super::ids::{GuideId, InputId, LinkId, PointId};
 use super::incidence::{Carrier, Length};
 
-pub(crate) use super::effort::Effort;
+pub use super::effort::Effort;
 /// Everything that a declaration says about forces; empty where it says nothing.
 #[derive(Clone, Default)]
-pub(crate) struct Dynamics {
+pub struct Dynamics {
     /// In ground axes; none unless written.
     pub gravity: Option<[Scalar; 2]>,
     pub loads: Vec<Load>,
@@ -39,14 +39,14 @@ pub(crate) struct Dynamics {
 
 /// A number given at each call.
 #[derive(Clone)]
-pub(crate) struct Load {
+pub struct Load {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub dimension: Dimension,
 }
 
 #[derive(Clone)]
-pub(crate) struct Mass {
+pub struct Mass {
     pub place: MassPlace,
     pub mass: Magnitude,
     /// About the centre of mass; of a uniform bar it follows from mass and length.
@@ -56,14 +56,14 @@ pub(crate) struct Mass {
 /// A mass, an inertia or a number of a spring: no input changes it, and of all but the free angle
 /// no parameter may make it negative.
 #[derive(Clone)]
-pub(crate) struct Magnitude {
+pub struct Magnitude {
     pub value: Scalar,
     /// The name in errors.
     pub name: String,
 }
 
 #[derive(Clone)]
-pub(crate) enum MassPlace {
+pub enum MassPlace {
     /// A point mass on a pin or a driven point.
     Pin(PointId),
     /// At a point of the link.
@@ -75,7 +75,7 @@ pub(crate) enum MassPlace {
 }
 
 #[derive(Clone)]
-pub(crate) enum Force {
+pub enum Force {
     At {
         point: PointId,
         value: [Scalar; 2],
@@ -90,14 +90,14 @@ pub(crate) enum Force {
 
 /// Whose axes a force is given in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Axes {
+pub enum Axes {
     Body(Carrier),
     Guide(GuideId),
 }
 
 /// A couple: positive on the one, its opposite on the other if there is one.
 #[derive(Clone)]
-pub(crate) struct Torque {
+pub struct Torque {
     pub on: Carrier,
     pub against: Option<Carrier>,
     pub value: Scalar,
@@ -105,7 +105,7 @@ pub(crate) struct Torque {
 
 /// A spring and damper, with the names that errors have for its numbers.
 #[derive(Clone)]
-pub(crate) struct Spring {
+pub struct Spring {
     pub name: Option<Ident>,
     pub docs: Vec<Attribute>,
     /// The name in errors.
@@ -119,7 +119,7 @@ pub(crate) struct Spring {
 
 /// The two ends of a spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ends {
+pub enum Ends {
     Points([PointId; 2]),
     /// A torsion spring: its angle is that of the second against the first.
     Bodies([Carrier; 2]),
@@ -127,7 +127,7 @@ pub(crate) enum Ends {
 
 /// Two ends of a motion that push back, and never pull.
 #[derive(Clone)]
-pub(crate) struct Stop {
+pub struct Stop {
     pub name: Option<Ident>,
     pub docs: Vec<Attribute>,
     /// The name in errors.
@@ -148,7 +148,7 @@ pub(crate) enum Elastic {
 
 /// The motion that a stop ends.
 #[derive(Clone)]
-pub(crate) enum Stopped {
+pub enum Stopped {
     /// A sum of links' angles and a number that no input changes.
     Angle(AngleSum),
     Slide(LinkId),
@@ -166,7 +166,7 @@ impl Stopped {
 
 /// Friction at a joint that follows from its reaction.
 #[derive(Clone)]
-pub(crate) struct Friction {
+pub struct Friction {
     pub contact: Contact,
     /// Couple over radius and load, or force over load.
     pub coefficient: Magnitude,
@@ -180,7 +180,7 @@ pub(crate) struct Friction {
 
 /// Two bodies that rub.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Contact {
+pub enum Contact {
     /// The link turns on the pin, which the other body holds; the pin's force on the link presses.
     Pin { link: LinkId, pin: PointId, against: Carrier },
     /// The link slides.
@@ -196,7 +196,7 @@ impl Contact {
     }
 
     /// The reaction that presses.
-    pub(crate) fn pressed_by(self) -> Effort {
+    pub fn pressed_by(self) -> Effort {
         match self {
             Self::Pin { link, pin, .. } => Effort::Pin(link, pin),
             Self::Guide(link) => Effort::Guide(link),
@@ -221,7 +221,7 @@ impl Contact {
 
 /// A force, couple or effort in the mechanism, as a field of a field of the result.
 #[derive(Clone)]
-pub(crate) struct RequestedEffort {
+pub struct RequestedEffort {
     /// The input, link or spring whose it is.
     pub owner: Ident,
     /// The point, guide or word behind the dot; what is the whole mechanism's has its owner again.
@@ -232,7 +232,7 @@ pub(crate) struct RequestedEffort {
 
 /// An output that is a number made of efforts, rates and loads.
 #[derive(Clone)]
-pub(crate) struct Formula {
+pub struct Formula {
     pub value: Scalar,
     pub dimension: Dimension,
     /// The efforts that it reads.
@@ -246,7 +246,7 @@ impl RequestedEffort {
     }
 
     /// The name by which it was asked for: `BC.C`, `ram.bed.friction`, `losses`.
-    pub(crate) fn path(&self) -> String {
+    pub fn path(&self) -> String {
         let (owner, field) = (self.owner.unraw(), self.field.unraw().to_string());
         match self.effort {
             effort if effort.is_of_the_whole() => owner.to_string(),

@@ -15,7 +15,7 @@ use super::ids::{LinkId, PointId};
 
 /// The statements of a drawing about its links; empty where nothing is drawn.
 #[derive(Clone, Default)]
-pub(crate) struct AsDrawn {
+pub struct AsDrawn {
     pub slides: Vec<DrawnSlide>,
     pub drives: Vec<DrawnDrive>,
     /// Joints between links, which are bodies without mass of their own whichever link a group makes them with.
@@ -34,14 +34,14 @@ pub(crate) struct AsDrawn {
 
 /// The whole turns that bring an angle to within half a turn. Half a turn backwards counts as one forwards, to more than
 /// rounding and the last digits of a drawing, so that these change no angle by a turn.
-pub(in crate::model) fn whole_turns(angle: f64) -> f64 {
+pub fn whole_turns(angle: f64) -> f64 {
     const LAST_DIGITS: f64 = 1e-6;
     ((PI + LAST_DIGITS - angle) / TAU).floor()
 }
 
 /// A link that is drawn on a guide. With the slide s of a group's joint its slide is ±s + `shift`.
 #[derive(Clone)]
-pub(crate) struct DrawnSlide<L = LinkId, N = Scalar> {
+pub struct DrawnSlide<L = LinkId, N = Scalar> {
     pub link: L,
     pub guide: Ident,
     /// The link that carries the guide.
@@ -60,7 +60,7 @@ pub(crate) struct DrawnSlide<L = LinkId, N = Scalar> {
 
 /// The frame in which a link is written, in that of its group.
 #[derive(Clone)]
-pub(crate) struct FrameShift<L = LinkId, N = Scalar> {
+pub struct FrameShift<L = LinkId, N = Scalar> {
     pub link: L,
     /// Its angle, where it is turned.
     pub angle: Option<N>,
@@ -94,7 +94,7 @@ impl FrameShift {
 
 /// An unknown, and how far the machine was followed with it.
 #[derive(Clone)]
-pub(crate) struct SearchFollowed {
+pub struct SearchFollowed {
     pub unknown: Ident,
     /// The name of what it is measured from, where that follows the drive.
     pub traced: Option<Ident>,
@@ -105,7 +105,7 @@ pub(crate) struct SearchFollowed {
 
 /// The ends to which a motion was followed, from the drawing.
 #[derive(Clone)]
-pub(crate) struct Stretch {
+pub struct Stretch {
     /// The input, where several drive the machine.
     pub input: Option<Ident>,
     pub ends: [f64; 2],
@@ -114,7 +114,7 @@ pub(crate) struct Stretch {
 
 /// The drive of a link that a group has the other way round: its effort is the opposite.
 #[derive(Clone)]
-pub(crate) struct DrawnDrive {
+pub struct DrawnDrive {
     pub link: LinkId,
     pub by: LinkId,
 }

@@ -6,7 +6,7 @@
 /// Powers of metre, kilogram and second; an angle counts as a number, except that `angle` remembers
 /// that it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Dimension {
+pub struct Dimension {
     pub length: i32,
     pub mass: i32,
     pub time: i32,
@@ -14,13 +14,13 @@ pub(crate) struct Dimension {
 }
 
 impl Dimension {
-    pub(crate) const NUMBER: Self = Self { length: 0, mass: 0, time: 0, angle: false };
-    pub(crate) const ANGLE: Self = Self { angle: true, ..Self::NUMBER };
-    pub(crate) const LENGTH: Self = Self { length: 1, ..Self::NUMBER };
-    pub(crate) const MASS: Self = Self { mass: 1, ..Self::NUMBER };
-    pub(crate) const TIME: Self = Self { time: 1, ..Self::NUMBER };
+    pub const NUMBER: Self = Self { length: 0, mass: 0, time: 0, angle: false };
+    pub const ANGLE: Self = Self { angle: true, ..Self::NUMBER };
+    pub const LENGTH: Self = Self { length: 1, ..Self::NUMBER };
+    pub const MASS: Self = Self { mass: 1, ..Self::NUMBER };
+    pub const TIME: Self = Self { time: 1, ..Self::NUMBER };
     /// A newton: kg m/s².
-    pub(crate) const FORCE: Self = Self { length: 1, mass: 1, time: -2, angle: false };
+    pub const FORCE: Self = Self { length: 1, mass: 1, time: -2, angle: false };
 
     pub(crate) const TORQUE: Self = Self { length: 2, ..Self::FORCE };
     /// A watt.
@@ -33,7 +33,7 @@ impl Dimension {
     }
 
     /// The dimension of a product with a power of the other. An angle stays one beside numbers.
-    pub(crate) fn times(self, other: Self, power: i32) -> Self {
+    pub fn times(self, other: Self, power: i32) -> Self {
         let sum = |mine: i32, its: i32| mine.saturating_add(its.saturating_mul(power));
         let length = sum(self.length, other.length);
         let mass = sum(self.mass, other.mass);
@@ -47,7 +47,7 @@ impl Dimension {
     }
 
     /// The unit as it stands behind a number: `N`, `(N*s/m)`. `None` if no usual one exists.
-    pub(super) fn unit(self) -> Option<&'static str> {
+    pub fn unit(self) -> Option<&'static str> {
         Some(match (self.length, self.mass, self.time) {
             (1, 0, 0) => "m",
             (0, 1, 0) => "kg",
@@ -70,7 +70,7 @@ impl Dimension {
     }
 
     /// The quantity with its article, for messages.
-    pub(super) fn words(self) -> String {
+    pub fn words(self) -> String {
         let Self { length, mass, time, .. } = self;
         let known = match (length, mass, time) {
             (0, 0, 0) if self.angle => "an angle",
@@ -107,19 +107,19 @@ impl Dimension {
 
 /// The dimension of an expression, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Measure {
+pub enum Measure {
     /// Made of numbers without a unit alone.
     Bare,
     Known(Dimension),
 }
 
 impl Measure {
-    pub(super) const NUMBER: Self = Self::Known(Dimension::NUMBER);
-    pub(super) const ANGLE: Self = Self::Known(Dimension::ANGLE);
-    pub(super) const LENGTH: Self = Self::Known(Dimension::LENGTH);
+    pub const NUMBER: Self = Self::Known(Dimension::NUMBER);
+    pub const ANGLE: Self = Self::Known(Dimension::ANGLE);
+    pub const LENGTH: Self = Self::Known(Dimension::LENGTH);
 
     /// The dimension, a bare number being a number.
-    pub(super) fn dimension(self) -> Dimension {
+    pub fn dimension(self) -> Dimension {
         match self {
             Self::Bare => Dimension::NUMBER,
             Self::Known(dimension) => dimension,
@@ -128,7 +128,7 @@ impl Measure {
 
     /// True if the quantity may stand where `wanted` belongs. Angles and numbers stand for each
     /// other, so that a ratio of lengths is an angle.
-    pub(super) fn fits(self, wanted: Dimension) -> bool {
+    pub fn fits(self, wanted: Dimension) -> bool {
         match self {
             Self::Bare => true,
             Self::Known(found) => found == wanted || (found.is_plain() && wanted.is_plain()),
@@ -136,7 +136,7 @@ impl Measure {
     }
 
     /// The measure of a sum, if the two can be added.
-    pub(super) fn sum(self, other: Self) -> Option<Self> {
+    pub fn sum(self, other: Self) -> Option<Self> {
         match (self, other) {
             (Self::Bare, known) | (known, Self::Bare) => Some(known),
             (Self::Known(a), Self::Known(b)) if other.fits(a) => {
@@ -148,7 +148,7 @@ impl Measure {
 
     /// The measure of a product. A bare factor may carry the unit of a plain ratio
     /// (`0.08 * cos(theta)` may be a length); an angle keeps what it is (`2 * theta`).
-    pub(super) fn product(self, other: Self) -> Self {
+    pub fn product(self, other: Self) -> Self {
         match (self, other) {
             (Self::Bare, Self::Bare | Self::NUMBER) | (Self::NUMBER, Self::Bare) => Self::Bare,
             (Self::Bare, known) | (known, Self::Bare) => known,
@@ -157,7 +157,7 @@ impl Measure {
     }
 
     /// The measure of a quotient; a bare divisor counts as a number.
-    pub(super) fn quotient(self, divisor: Self) -> Self {
+    pub fn quotient(self, divisor: Self) -> Self {
         match (self, divisor) {
             (_, Self::Bare) | (Self::Bare, Self::NUMBER) => self,
             (_, Self::Known(b)) => Self::Known(self.dimension().times(b, -1)),
@@ -180,7 +180,7 @@ impl Measure {
     }
 
     /// The measure of a square root, if the exponents can be halved.
-    pub(super) fn root(self) -> Option<Self> {
+    pub fn root(self) -> Option<Self> {
         match self {
             Self::Bare => Some(Self::Bare),
             Self::Known(Dimension { length, mass, time, .. })
@@ -191,87 +191,5 @@ impl Measure {
             }
             Self::Known(_) => None,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::units::unit;
-
-    #[test]
-    fn lengths_carry_exponents() {
-        let area = Measure::LENGTH.product(Measure::LENGTH);
-        assert_eq!(area.dimension().words(), "an area");
-        assert_eq!(area.root(), Some(Measure::LENGTH));
-        assert_eq!(Measure::LENGTH.root(), None);
-        assert_eq!(Measure::LENGTH.quotient(Measure::LENGTH), Measure::NUMBER);
-        assert_eq!(Measure::Bare.quotient(area).dimension().words(), "a quantity in m^-2");
-    }
-
-    #[test]
-    fn forces_are_made_of_masses_lengths_and_times() {
-        let [mass, time, force] = [Dimension::MASS, Dimension::TIME, Dimension::FORCE];
-        let acceleration = Dimension::LENGTH.times(time, -2);
-        assert_eq!(acceleration.words(), "an acceleration");
-        assert_eq!(mass.times(acceleration, 1), force);
-        let torque = force.times(Dimension::LENGTH, 1);
-        assert_eq!(torque.words(), "a torque");
-        assert_eq!(torque.times(Dimension::ANGLE, -1), torque);
-        let inertia = mass.times(Dimension::LENGTH, 2);
-        assert_eq!(
-            Measure::Known(torque).quotient(Measure::Known(inertia)).root().unwrap(),
-            Measure::NUMBER.quotient(Measure::Known(time))
-        );
-        assert_eq!(force.times(Dimension::LENGTH, -1).words(), "a force over a length (N/m)");
-    }
-
-    /// The unit that a message proposes is read as the dimension that is missing.
-    #[test]
-    fn proposed_units_have_the_dimension() {
-        let read = |text: &str| {
-            let mut sign = 1;
-            let factors = text.trim_matches(['(', ')']).split_inclusive(['*', '/']);
-            factors.fold(Dimension::NUMBER, |product, factor| {
-                let (name, power) = match factor.trim_end_matches(['*', '/']).split_once('^') {
-                    Some((name, power)) => (name, power.parse().expect("a power is a number")),
-                    None => (factor.trim_end_matches(['*', '/']), 1),
-                };
-                let of_unit = unit(name).map_or(Dimension::NUMBER, |(dimension, _)| dimension);
-                let product = product.times(of_unit, power * sign);
-                if factor.ends_with('/') {
-                    sign = -1;
-                }
-                product
-            })
-        };
-        let powers = || -3..=3;
-        let all =
-            powers().flat_map(|l| powers().flat_map(move |m| powers().map(move |t| [l, m, t])));
-        let mut count = 0;
-        for [length, mass, time] in all {
-            let dimension = Dimension { length, mass, time, angle: false };
-            if let Some(text) = dimension.unit() {
-                assert_eq!(read(text), dimension, "{text}");
-                count += 1;
-            }
-        }
-        assert_eq!(count, 16);
-    }
-
-    #[test]
-    fn an_angle_counts_as_a_number_in_products() {
-        assert_eq!(Measure::ANGLE.product(Measure::LENGTH), Measure::LENGTH);
-        assert_eq!(Measure::ANGLE.product(Measure::Bare), Measure::ANGLE);
-        assert_eq!(Measure::ANGLE.quotient(Measure::ANGLE), Measure::NUMBER);
-        assert_eq!(Measure::ANGLE.sum(Measure::LENGTH), None);
-        assert_eq!(Measure::NUMBER.sum(Measure::ANGLE), Some(Measure::ANGLE));
-    }
-
-    #[test]
-    fn a_bare_number_fits_anywhere() {
-        assert!(Measure::Bare.fits(Dimension::LENGTH) && Measure::Bare.fits(Dimension::ANGLE));
-        assert_eq!(Measure::Bare.product(Measure::NUMBER), Measure::Bare);
-        assert!(!Measure::NUMBER.fits(Dimension::LENGTH));
     }
 }

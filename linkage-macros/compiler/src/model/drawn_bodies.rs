@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 /// The bodies of a drawing, in ground axes.
 #[derive(Clone)]
-pub(crate) struct Outline {
+pub struct Outline {
     pub ground: Vec<(Ident, [f64; 2])>,
     pub bodies: Vec<OutlinedBody>,
     pub guides: Vec<OutlinedGuide>,
@@ -12,7 +12,7 @@ pub(crate) struct Outline {
 
 /// A link that is written.
 #[derive(Clone)]
-pub(crate) struct OutlinedBody {
+pub struct OutlinedBody {
     pub name: Ident,
     pub pins: Vec<(Ident, [f64; 2])>,
     /// The guides on which it slides, by their places in the list.
@@ -26,7 +26,7 @@ pub(crate) struct OutlinedBody {
 
 /// A guide, and the body that carries it by its place in the list: the ground where there is none.
 #[derive(Clone)]
-pub(crate) struct OutlinedGuide {
+pub struct OutlinedGuide {
     pub name: Ident,
     pub on: Option<usize>,
     pub through: [f64; 2],

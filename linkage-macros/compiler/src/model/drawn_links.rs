@@ -10,7 +10,7 @@ use crate::model::mechanism::{Sign, StandsFor};
 
 /// The links of a drawing as groups have made them.
 #[derive(Default)]
-pub(in crate::model) struct DrawnLinks {
+pub struct DrawnLinks {
     /// Links and unknowns that nobody has written, and what each stands for.
     pub hidden: Vec<(Ident, StandsFor)>,
     /// The links whose groups gave them other frames than their statements.
@@ -46,7 +46,7 @@ pub(in crate::model) type FrameFound = FrameShift<Ident, Figure>;
 pub(in crate::model) type SlideFound = DrawnSlide<Ident, Figure>;
 
 /// A link as a bar between the first two pins of its statement.
-pub(in crate::model) struct BarFound {
+pub struct BarFound {
     pub link: Ident,
     /// Its middle; none where an input changes its length.
     pub middle: Option<[Figure; 2]>,
@@ -54,7 +54,7 @@ pub(in crate::model) struct BarFound {
 }
 
 /// A pin of a link that its group makes elsewhere, and its place in the frame of the group.
-pub(in crate::model) struct PinFound {
+pub struct PinFound {
     pub link: Ident,
     pub pin: Ident,
     pub at: [Figure; 2],

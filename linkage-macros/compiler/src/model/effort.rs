@@ -3,7 +3,7 @@
 use super::ids::{FormulaId, InputId, LinkId, PointId, SpringId, StopId, UnknownId};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Effort {
+pub enum Effort {
     /// The effort of an input: power put in over its rate.
     Input(InputId),
     /// The load that drives an input.

@@ -11,7 +11,7 @@ use crate::model::ids::{
 
 /// A scalar expression. Lengths in metres, angles in radians.
 #[derive(Clone, Debug)]
-pub(crate) enum Scalar {
+pub enum Scalar {
     Constant(Exact),
     Input(InputId),
     Param(ParamId),
@@ -52,7 +52,7 @@ pub(crate) enum Scalar {
 
 /// The argument of a function that needs a number above zero, with its text.
 #[derive(Clone, Debug)]
-pub(crate) struct AboveZero {
+pub struct AboveZero {
     pub value: Scalar,
     pub name: String,
     pub function: Function,
@@ -60,13 +60,13 @@ pub(crate) struct AboveZero {
 
 /// An axis of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Axis {
+pub enum Axis {
     X,
     Y,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Operator {
+pub enum Operator {
     Add,
     Sub,
     Mul,
@@ -75,7 +75,7 @@ pub(crate) enum Operator {
 
 /// An angle (or any other number, then without link angles): Σ kᵢ·linkᵢ.angle + rest.
 #[derive(Clone, Debug)]
-pub(crate) struct AngleSum {
+pub struct AngleSum {
     pub links: Vec<(LinkId, i32)>,
     pub rest: Scalar,
 }

@@ -13,7 +13,7 @@ use crate::model::reads::Reads;
 use crate::model::searched::Searched;
 
 #[derive(Default)]
-pub(super) struct Facts {
+pub struct Facts {
     /// By parameter.
     pub params: Vec<ParamFacts>,
     /// By named expression.
@@ -46,7 +46,7 @@ pub(super) struct Facts {
     places: Vec<Location>,
 }
 
-pub(super) struct ParamFacts {
+pub struct ParamFacts {
     pub measure: Measure,
     /// The default, where a mistake about its value is reported.
     pub span: Extent,
@@ -54,7 +54,7 @@ pub(super) struct ParamFacts {
     pub blamed: bool,
 }
 
-pub(super) struct LetFacts {
+pub struct LetFacts {
     pub measure: Measure,
     pub moves: bool,
     pub reads: Reads,
@@ -72,7 +72,7 @@ impl LetFacts {
 
 /// Power to which a number contains the load that drives an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Degree {
+pub enum Degree {
     /// It does not.
     Free,
     /// A multiple, and what is free.
@@ -80,7 +80,7 @@ pub(super) enum Degree {
     Other,
 }
 
-pub(super) struct LinkFacts {
+pub struct LinkFacts {
     pub moves: bool,
     /// True for a bar with an outer joint and a pin.
     pub is_bar: bool,
@@ -93,7 +93,7 @@ pub(super) struct LinkFacts {
     pub is_placed: bool,
 }
 
-pub(super) struct GuideFacts {
+pub struct GuideFacts {
     pub moves: bool,
     pub carrier: Carrier,
     /// Where the line lies on its carrier, if that is constant.

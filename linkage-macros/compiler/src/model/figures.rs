@@ -18,7 +18,7 @@ use crate::model::units::unit;
 
 /// A number of the drawing.
 #[derive(Clone)]
-pub(super) struct Figure {
+pub struct Figure {
     /// A named expression in it stands for one of the leaves, by its place.
     pub(super) number: Scalar,
     pub(super) leaves: Vec<WrittenPart>,

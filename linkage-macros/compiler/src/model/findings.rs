@@ -8,7 +8,7 @@ use crate::model::incidence::Carrier;
 
 /// Facts that constants fix about a group.
 #[derive(Clone)]
-pub(crate) struct Known {
+pub struct Known {
     pub group: GroupId,
     /// The distance between its outer joints.
     pub span: Option<Exact>,
@@ -18,7 +18,7 @@ pub(crate) struct Known {
 
 /// The range of a crank's turn that a dyad hanging on it allows.
 #[derive(Clone)]
-pub(crate) struct Rotatability {
+pub struct Rotatability {
     pub group: GroupId,
     pub crank: LinkId,
     /// The input that is the crank's angle, where one is it bare.
@@ -33,7 +33,7 @@ pub(crate) struct Rotatability {
 /// A group of constants between two bodies that are pinned to each other, which some angle between them brings to its
 /// limit exactly.
 #[derive(Clone)]
-pub(crate) struct Touching {
+pub struct Touching {
     pub group: GroupId,
     /// The joint of both bodies.
     pub hinge: PointId,

@@ -21,7 +21,7 @@ impl Scalar {
         }
     }
 
-    pub(crate) fn zero() -> Self {
+    pub fn zero() -> Self {
         Self::Constant(Exact::integer(0))
     }
 
@@ -142,22 +142,8 @@ pub(super) fn shown_in_degrees(value: &Exact) -> String {
     shown_f64(value.to_f64().to_degrees())
 }
 
-pub(super) fn shown_f64(value: f64) -> String {
+pub fn shown_f64(value: f64) -> String {
     let short = format!("{value:.5e}");
     // Parsed back, `2.00000e0` prints as 2.
     short.parse::<f64>().map_or(short, |rounded| rounded.to_string())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::shown_f64;
-
-    #[test]
-    fn six_significant_digits_are_shown() {
-        assert_eq!(shown_f64(5.3), "5.3");
-        assert_eq!(shown_f64(2.0 / 3.0), "0.666667");
-        assert_eq!(shown_f64(-0.3), "-0.3");
-        assert_eq!(shown_f64(0.0), "0");
-        assert_eq!(shown_f64(632.0), "632");
-    }
 }

@@ -4,10 +4,10 @@ macro_rules! ids {
     ($($(#[$doc:meta])* $name:ident)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        pub(crate) struct $name(pub u32);
+        pub struct $name(pub u32);
 
         impl $name {
-            pub(crate) fn index(self) -> usize {
+            pub fn index(self) -> usize {
                 self.0 as usize
             }
         }

@@ -10,7 +10,7 @@ use super::ids::{GroupId, GuideId, LinkId, ParamId, PointId};
 
 /// A body that joints connect and that forces act on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Body {
+pub enum Body {
     Ground,
     Link(LinkId),
     /// The pin between the links of a dyad, a body without mass of its own; or a driven point.
@@ -18,14 +18,14 @@ pub(crate) enum Body {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sign {
+pub enum Sign {
     Plus,
     Minus,
 }
 
 /// An assembly mode: +1 is `left` or `ahead`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
+pub enum Mode {
     Fixed(Sign),
     /// A mode parameter.
     Param(ParamId),
@@ -33,28 +33,28 @@ pub(crate) enum Mode {
 
 /// The body to which a point, a guide or a crank's angle is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) enum Carrier {
+pub enum Carrier {
     Ground,
     Link(LinkId),
 }
 
 /// A length that must be positive, and the words that name it in `SolveError::Invalid`.
 #[derive(Clone, Debug)]
-pub(crate) struct Length {
+pub struct Length {
     pub value: Scalar,
     pub name: String,
 }
 
 /// A joint of a group: its link is the second of the bodies.
 #[derive(Clone)]
-pub(crate) struct Joint {
+pub struct Joint {
     pub kind: JointKind,
     pub bodies: [Body; 2],
     pub drive: Option<Drive>,
 }
 
 #[derive(Clone)]
-pub(crate) enum JointKind {
+pub enum JointKind {
     Revolute(PointId),
     /// The link's origin keeps the offset from the line, along its normal; none where it is on it.
     Prismatic {
@@ -65,7 +65,7 @@ pub(crate) enum JointKind {
 
 /// The line that a link slides along.
 #[derive(Clone)]
-pub(crate) enum Slideway {
+pub enum Slideway {
     Guide(GuideId),
     /// The x axis of a link.
     Bar(LinkId),
@@ -79,14 +79,14 @@ pub(crate) enum Slideway {
 
 /// The motion that a driver sets.
 #[derive(Clone)]
-pub(crate) enum Drive {
+pub enum Drive {
     Angle { angle: AngleSum, relative_to: Carrier },
     Slide(Scalar),
 }
 
 /// The ways in which a group can be assembled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Assembly {
+pub enum Assembly {
     Unique,
     Signed(Mode),
     /// `mode: parallel`, of two bars.
@@ -95,7 +95,7 @@ pub(crate) enum Assembly {
 
 /// The corner of a parallelogram that is opposite to the pin of its bars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Opposite {
+pub struct Opposite {
     pub corner: PointId,
     /// By bar, the body that the opposite side is on.
     pub carriers: [Carrier; 2],
@@ -103,7 +103,7 @@ pub(crate) struct Opposite {
 
 /// A driver or a dyad.
 #[derive(Clone)]
-pub(crate) struct Group {
+pub struct Group {
     pub id: GroupId,
     pub kind: Class,
     pub links: Vec<LinkId>,
@@ -127,35 +127,35 @@ impl From<Carrier> for Body {
 }
 
 impl Joint {
-    pub(crate) fn link(&self) -> LinkId {
+    pub fn link(&self) -> LinkId {
         match self.bodies[1] {
             Body::Link(link) => link,
             Body::Ground | Body::Pin(_) => unreachable!("a joint is a link's"),
         }
     }
 
-    pub(crate) fn point(&self) -> Option<PointId> {
+    pub fn point(&self) -> Option<PointId> {
         match self.kind {
             JointKind::Revolute(point) => Some(point),
             JointKind::Prismatic { .. } => None,
         }
     }
 
-    pub(crate) fn slideway(&self) -> Option<&Slideway> {
+    pub fn slideway(&self) -> Option<&Slideway> {
         match &self.kind {
             JointKind::Revolute(_) => None,
             JointKind::Prismatic { along, .. } => Some(along),
         }
     }
 
-    pub(crate) fn guide(&self) -> Option<GuideId> {
+    pub fn guide(&self) -> Option<GuideId> {
         match self.slideway()? {
             Slideway::Guide(guide) => Some(*guide),
             Slideway::Bar(_) | Slideway::Slot { .. } => None,
         }
     }
 
-    pub(crate) fn offset(&self) -> Option<&Scalar> {
+    pub fn offset(&self) -> Option<&Scalar> {
         match &self.kind {
             JointKind::Revolute(_) => None,
             JointKind::Prismatic { offset, .. } => offset.as_ref(),
@@ -165,7 +165,7 @@ impl Joint {
 
 impl Group {
     /// Outer joints, then inner ones.
-    pub(crate) fn joints(&self) -> impl Iterator<Item = &Joint> {
+    pub fn joints(&self) -> impl Iterator<Item = &Joint> {
         self.outer.iter().chain(&self.inner)
     }
 
@@ -177,12 +177,12 @@ impl Group {
     }
 
     /// The point that the link with this index stands on.
-    pub(crate) fn stands_on(&self, index: usize) -> PointId {
+    pub fn stands_on(&self, index: usize) -> PointId {
         self.outer[index].point().expect("its row has a revolute joint here")
     }
 
     /// The guide that the link with this index slides on.
-    pub(crate) fn slides_on(&self, index: usize) -> GuideId {
+    pub fn slides_on(&self, index: usize) -> GuideId {
         self.outer[index].guide().expect("its row has a prismatic joint here")
     }
 
@@ -191,7 +191,7 @@ impl Group {
     }
 
     /// Distances declared across its slideways, joint by joint: a slot's own, then the offset in it.
-    pub(crate) fn offsets(&self) -> Vec<&Scalar> {
+    pub fn offsets(&self) -> Vec<&Scalar> {
         let across = |joint| match Joint::slideway(joint)? {
             Slideway::Slot { across, .. } => Some(across),
             Slideway::Guide(_) | Slideway::Bar(_) => None,
@@ -199,7 +199,7 @@ impl Group {
         self.joints().flat_map(|joint| [across(joint), joint.offset()]).flatten().collect()
     }
 
-    pub(crate) fn mode(&self) -> Option<Mode> {
+    pub fn mode(&self) -> Option<Mode> {
         match self.assembly {
             Assembly::Unique | Assembly::Parallel(_) => None,
             Assembly::Signed(mode) => Some(mode),

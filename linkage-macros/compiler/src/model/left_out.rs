@@ -40,7 +40,7 @@ impl Mechanism {
     }
 
     /// The group behind `solve` that draws the bar or the block which holds the equation.
-    pub(crate) fn left_out(&self, id: UnknownId) -> Option<&Group> {
+    pub fn left_out(&self, id: UnknownId) -> Option<&Group> {
         let unknown = &self.unknowns[id.index()];
         let mut behind = self.steps[unknown.steps[1]..].iter().filter_map(|step| match step {
             Step::Group(group) => Some(group),

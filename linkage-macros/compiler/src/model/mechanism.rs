@@ -9,24 +9,24 @@ use syn::{Attribute, Visibility};
 
 use crate::exact::Exact;
 use crate::model::acting::Dynamics;
-pub(crate) use crate::model::as_drawn::AsDrawn;
-pub(crate) use crate::model::dimension::Dimension;
+pub use crate::model::as_drawn::AsDrawn;
+pub use crate::model::dimension::Dimension;
 use crate::model::drawn_bodies::Outline;
-pub(crate) use crate::model::expr::{AboveZero, AngleSum, Axis, Operator, Scalar};
-pub(crate) use crate::model::findings::{Known, Rotatability, Touching};
-pub(crate) use crate::model::ids::{
+pub use crate::model::expr::{AboveZero, AngleSum, Axis, Operator, Scalar};
+pub use crate::model::findings::{Known, Rotatability, Touching};
+pub use crate::model::ids::{
     GroupId, GuideId, InputId, LawId, LetId, LinkId, LoadId, ParamId, PointId, SpringId, StopId,
     TrackedId, UnknownId,
 };
-pub(crate) use crate::model::incidence::{
+pub use crate::model::incidence::{
     Assembly, Body, Carrier, Drive, Group, Joint, JointKind, Length, Mode, Opposite, Sign, Slideway,
 };
-pub(crate) use crate::model::solved_at_once::{Tracked, TrackedClosing};
-pub(crate) use crate::model::step::{GuideDirection, Placement, Step, Through};
+pub use crate::model::solved_at_once::{Tracked, TrackedClosing};
+pub use crate::model::step::{GuideDirection, Placement, Step, Through};
 use crate::syntax::anatomy::Modes;
 
 #[derive(Clone)]
-pub(crate) struct Mechanism {
+pub struct Mechanism {
     pub docs: Vec<Attribute>,
     pub visibility: Visibility,
     pub name: Ident,
@@ -74,7 +74,7 @@ pub(crate) struct Mechanism {
 }
 
 #[derive(Clone)]
-pub(crate) struct Point {
+pub struct Point {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub part_of: PartOf,
@@ -84,7 +84,7 @@ pub(crate) struct Point {
 
 /// The part of the mechanism that a point belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PartOf {
+pub enum PartOf {
     Ground,
     /// Placed on a link.
     Link(LinkId),
@@ -96,7 +96,7 @@ pub(crate) enum PartOf {
 
 impl Mechanism {
     /// An empty mechanism of this name.
-    pub(crate) fn empty(docs: Vec<Attribute>, visibility: Visibility, name: Ident) -> Self {
+    pub fn empty(docs: Vec<Attribute>, visibility: Visibility, name: Ident) -> Self {
         Self {
             docs,
             visibility,
@@ -132,7 +132,7 @@ impl Mechanism {
         (0..self.points.len() as u32).map(PointId)
     }
 
-    pub(crate) fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<> {
+    pub fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<> {
         (0..self.links.len() as u32).map(LinkId)
     }
 
@@ -147,7 +147,7 @@ impl Mechanism {
     }
 
     /// The statement that made a point: `ground`, `crank AB`, `rrr BC, DC`, `point on BC`.
-    pub(crate) fn maker(&self, point: PointId) -> String {
+    pub fn maker(&self, point: PointId) -> String {
         match self.points[point.index()].part_of {
             PartOf::Ground => "ground".to_string(),
             PartOf::Link(link) => format!("point on {}", self.links[link.index()].name),
@@ -158,13 +158,13 @@ impl Mechanism {
 }
 
 #[derive(Clone)]
-pub(crate) struct Guide {
+pub struct Guide {
     pub name: Ident,
 }
 
 /// Where a declaration makes its names and where it uses them, for editors.
 #[derive(Clone, Default)]
-pub(crate) struct References {
+pub struct References {
     /// Every name where it is made, and the statement that makes it.
     pub made: Vec<(Ident, String)>,
     /// Every place where one of them is used.
@@ -172,7 +172,7 @@ pub(crate) struct References {
 }
 
 #[derive(Clone)]
-pub(crate) struct Input {
+pub struct Input {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub dimension: Dimension,
@@ -180,7 +180,7 @@ pub(crate) struct Input {
 
 /// A number that an equation fixes.
 #[derive(Clone)]
-pub(crate) struct Unknown {
+pub struct Unknown {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub dimension: Dimension,
@@ -202,7 +202,7 @@ pub(crate) struct Unknown {
 
 /// The expression that is zero at the root.
 #[derive(Clone)]
-pub(crate) enum Equation {
+pub enum Equation {
     /// left − right
     Difference([Scalar; 2]),
     /// An angle, within half a turn.
@@ -212,14 +212,14 @@ pub(crate) enum Equation {
 }
 
 #[derive(Clone)]
-pub(crate) struct Param {
+pub struct Param {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub kind: ParamKind,
 }
 
 #[derive(Clone)]
-pub(crate) enum ParamKind {
+pub enum ParamKind {
     Number {
         dimension: Dimension,
         default: Exact,
@@ -234,7 +234,7 @@ pub(crate) enum ParamKind {
 }
 
 #[derive(Clone)]
-pub(crate) struct Link {
+pub struct Link {
     pub name: Ident,
     pub docs: Vec<Attribute>,
     pub made_by: GroupId,
@@ -245,7 +245,7 @@ pub(crate) struct Link {
 
 /// The parts of a drawing that something stands for whose name nobody may have written.
 #[derive(Clone, Default)]
-pub(crate) enum StandsFor {
+pub enum StandsFor {
     /// Itself: it is declared.
     #[default]
     Itself,
@@ -268,7 +268,7 @@ impl Param {
 
 impl Link {
     /// Its name, or that of the link at whose joint it is.
-    pub(crate) fn known_as(&self) -> &Ident {
+    pub fn known_as(&self) -> &Ident {
         match &self.stands_for {
             StandsFor::EndOf(link) => link,
             StandsFor::Itself | StandsFor::Links(_) => &self.name,
@@ -278,7 +278,7 @@ impl Link {
 
 /// The name of a driver or a dyad, or of a driven point, which is a group of its own.
 #[derive(Clone)]
-pub(crate) struct GroupName {
+pub struct GroupName {
     /// `crank`, `slider`, `rrr`, …, where it is written.
     pub keyword: Ident,
     /// The links, as run-time errors name them: `"BC, DC"`.
@@ -286,13 +286,13 @@ pub(crate) struct GroupName {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Numerics {
+pub enum Numerics {
     Plain,
     Compensated,
 }
 
 #[derive(Clone)]
-pub(crate) struct DeclaredOutput {
+pub struct DeclaredOutput {
     /// The field of the result.
     pub field: Ident,
     pub docs: Vec<Attribute>,
@@ -300,7 +300,7 @@ pub(crate) struct DeclaredOutput {
 }
 
 #[derive(Clone)]
-pub(crate) enum OutputKind {
+pub enum OutputKind {
     Point(PointId),
     /// A link's direction, its slide, or both.
     Link {

@@ -24,18 +24,18 @@
 //! drawing needs: `drawn` finds the inputs of the drawn pose by Newton's method, and the angles of links that are held
 //! together by the theorem of cosines.
 
-pub(crate) mod acting;
+pub mod acting;
 pub(crate) mod any_assembly;
-pub(crate) mod as_drawn;
+pub mod as_drawn;
 mod as_written;
 mod assembly;
 mod begun;
 mod calls;
-mod class_three;
+pub mod class_three;
 mod coincidence;
 mod declared;
-mod dimension;
-mod drawn;
+pub mod dimension;
+pub mod drawn;
 pub(crate) mod drawn_bodies;
 mod drawn_joints;
 mod drawn_links;
@@ -48,46 +48,46 @@ mod effort;
 pub(crate) mod effort_dimensions;
 mod effort_formulas;
 mod exponents;
-mod expr;
-mod expressions;
+pub mod expr;
+pub mod expressions;
 mod facts;
-mod fields;
+pub mod fields;
 mod figures;
 mod findings;
 mod fits;
-mod folding;
+pub mod folding;
 mod given;
 mod ids;
-mod incidence;
+pub mod incidence;
 mod items;
 mod jointed;
-mod kinds;
-mod laws;
+pub mod kinds;
+pub mod laws;
 mod left_out;
 mod link_efforts;
 mod literals;
 mod loads_in_forces;
 mod machine_functions;
 mod meant;
-pub(crate) mod mechanism;
+pub mod mechanism;
 pub(crate) mod modes;
 mod named_efforts;
-mod names;
+pub mod names;
 mod needs;
-mod numbers;
+pub mod numbers;
 mod on_drawn_links;
 mod opposite_sides;
 mod order;
 mod parts_of_groups;
 mod poles;
 mod rates;
-mod ratios;
+pub mod ratios;
 mod readings;
 mod reads;
 mod references;
 mod relations;
 mod resolved_expr;
-pub(crate) mod rigid;
+pub mod rigid;
 mod rotatability;
 mod same_expression;
 mod scope;
@@ -97,18 +97,15 @@ pub(crate) mod solved_at_once;
 mod statement_walk;
 mod statements;
 mod step;
-mod stub;
+pub mod stub;
 mod titles;
 mod told_numbers;
 pub(crate) mod touching;
-pub(crate) mod units;
+pub mod units;
 mod unknown_friction;
 mod unused;
 mod uses;
-pub(crate) mod wheels;
-
-#[cfg(test)]
-mod tests;
+pub mod wheels;
 
 use proc_macro2::TokenStream;
 
@@ -131,14 +128,11 @@ pub(crate) use poles::link_never_turns;
 pub(crate) use statements::drive_by::load_does_no_work;
 
 /// The stub of a declaration in which something was reported.
-pub(crate) struct Stub(pub Box<Mechanism>);
+pub struct Stub(pub Box<Mechanism>);
 
 /// The mechanism that the declaration means; a stub of it if a mistake was reported, by the parser or
 /// here.
-pub(crate) fn resolve(
-    tree: &Declaration,
-    diagnostics: &mut Diagnostics,
-) -> Result<Mechanism, Stub> {
+pub fn resolve(tree: &Declaration, diagnostics: &mut Diagnostics) -> Result<Mechanism, Stub> {
     let tree = driven::lowered(tree, diagnostics);
     let resolved = resolve_statements(&tree, diagnostics);
     diagnostics.tell(&tree.unwritten.told);
@@ -187,8 +181,7 @@ pub(crate) fn written_value(text: &str) -> Result<(Exact, Dimension), Vec<Diagno
 }
 
 /// The stub that the declaration would have if it had mistakes.
-#[cfg(test)]
-pub(crate) fn stub(tree: &Declaration) -> Mechanism {
+pub fn stub(tree: &Declaration) -> Mechanism {
     let mut diagnostics = Diagnostics::new();
     let stub = match drawn::is_drawn(tree) {
         true => stub_of_drawing(tree, &mut diagnostics),

@@ -14,7 +14,7 @@ use crate::model::mechanism::{
 };
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub enum Kind {
     Input,
     Param,
     Let,
@@ -54,7 +54,7 @@ impl Kind {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Entity {
+pub enum Entity {
     Input(InputId),
     Param(ParamId),
     Let(LetId),
@@ -71,7 +71,7 @@ pub(super) enum Entity {
 }
 
 /// A name that was declared, correctly or not.
-pub(super) struct Symbol {
+pub struct Symbol {
     pub name: String,
     pub kind: Kind,
     /// The index of the statement.
@@ -92,7 +92,7 @@ pub(super) struct Symbol {
     pub ambiguous: bool,
 }
 
-pub(super) struct Names {
+pub struct Names {
     pub symbols: Vec<Symbol>,
     pub by_name: HashMap<String, usize>,
     /// The statement being resolved.
@@ -217,7 +217,7 @@ pub(super) fn listed<S: AsRef<str>>(words: &[S], joint: &str) -> String {
 }
 
 /// A name that a statement uses and a later one makes.
-pub(super) struct TooEarly {
+pub struct TooEarly {
     pub name: Ident,
     pub user: usize,
     pub maker: usize,

@@ -5,7 +5,7 @@ use std::ops::Deref;
 use crate::model::acting::Effort;
 
 /// Readings of an expression that no dimension may have.
-pub(super) struct Readings {
+pub struct Readings {
     pub load: bool,
     pub rate: bool,
     /// Efforts and reactions.
@@ -19,7 +19,7 @@ static NONE: Readings = Readings { load: false, rate: false, efforts: Vec::new()
 /// The readings of an expression: most have none. They stand apart from the expression, which is
 /// resolved a level of its nesting at a time, each on the stack.
 #[derive(Default)]
-pub(super) struct Reads(Option<Box<Readings>>);
+pub struct Reads(Option<Box<Readings>>);
 
 /// Readings that may stand where an expression does.
 #[derive(Clone, Copy)]

@@ -6,7 +6,7 @@ use super::mechanism::{
 };
 
 impl Mechanism {
-    pub(crate) fn group_steps(&self) -> impl Iterator<Item = &Group> {
+    pub fn group_steps(&self) -> impl Iterator<Item = &Group> {
         self.steps.iter().filter_map(|step| match step {
             Step::Group(group) => Some(group),
             Step::Ground { .. } | Step::Guide { .. } | Step::Point { .. } => None,
@@ -33,7 +33,7 @@ impl Mechanism {
     }
 
     /// The joints of all groups.
-    pub(crate) fn joints(&self) -> impl Iterator<Item = &Joint> {
+    pub fn joints(&self) -> impl Iterator<Item = &Joint> {
         self.group_steps().flat_map(Group::joints)
     }
 
@@ -47,7 +47,7 @@ impl Mechanism {
     }
 
     /// The body that the point belongs to; none where the step that makes it is missing.
-    pub(crate) fn owner(&self, point: PointId) -> Option<Body> {
+    pub fn owner(&self, point: PointId) -> Option<Body> {
         self.steps.iter().find_map(|step| match step {
             Step::Ground { point: made, .. } if *made == point => Some(Body::Ground),
             Step::Point { point: made, carrier, .. } if *made == point => Some(match carrier {
@@ -73,14 +73,14 @@ impl Mechanism {
     }
 
     /// The points that links stand on, and the links: every revolute outer joint.
-    pub(crate) fn standing(&self) -> Vec<(PointId, LinkId)> {
+    pub fn standing(&self) -> Vec<(PointId, LinkId)> {
         let outer = self.group_steps().flat_map(|group| &group.outer);
         outer.filter_map(|joint| Some((joint.point()?, joint.link()))).collect()
     }
 
     /// The carrier of a link's angle, and the turn against it; none where the joints leave the link
     /// an angle of its own.
-    pub(crate) fn carried_angle(&self, link: LinkId) -> Option<(Carrier, Option<&AngleSum>)> {
+    pub fn carried_angle(&self, link: LinkId) -> Option<(Carrier, Option<&AngleSum>)> {
         let mut joints = self.joints().filter(|joint| joint.link() == link);
         joints.find_map(|joint| match (&joint.drive, joint.slideway()) {
             (Some(Drive::Angle { angle, relative_to }), _) => Some((*relative_to, Some(angle))),
@@ -109,7 +109,7 @@ impl Mechanism {
     }
 
     /// Tells whether a point's coordinates in the frame of its carrier change with an input.
-    pub(crate) fn coordinates_move(&self, carrier: Carrier, point: PointId) -> [bool; 2] {
+    pub fn coordinates_move(&self, carrier: Carrier, point: PointId) -> [bool; 2] {
         let moves = |values: &[&Scalar]| values.iter().any(|value| self.moves(value));
         let found = self.steps.iter().find_map(|step| match step {
             Step::Point { point: made, carrier: own, place, .. }
@@ -134,7 +134,7 @@ impl Mechanism {
     }
 
     /// Tells whether the expression changes with an input.
-    pub(crate) fn moves(&self, expr: &Scalar) -> bool {
+    pub fn moves(&self, expr: &Scalar) -> bool {
         expr.any_leaf(&|leaf| match leaf {
             Scalar::Param(_) | Scalar::Load(_) | Scalar::Pull => false,
             Scalar::Let(id) => self.turns(&self.lets[id.index()]),

@@ -8,7 +8,7 @@ use super::mechanism::{
 };
 
 /// Bodies by classes that are rigid in themselves: the ground, then link after link.
-pub(crate) struct RigidBodies {
+pub struct RigidBodies {
     class: Vec<usize>,
     /// Points that have a constant place in a body: a pin between two bars has one in both.
     points: Vec<(usize, PointId)>,
@@ -23,7 +23,7 @@ fn index(carrier: Carrier) -> usize {
 }
 
 impl RigidBodies {
-    pub(crate) fn of(mechanism: &Mechanism) -> Self {
+    pub fn of(mechanism: &Mechanism) -> Self {
         let class = (0..=mechanism.links.len()).collect();
         let mut bodies = Self { class, points: Vec::new(), guides: Vec::new() };
         for step in &mechanism.steps {
@@ -33,7 +33,7 @@ impl RigidBodies {
     }
 
     /// True if the bodies of a contact never move against each other.
-    pub(crate) fn hold(&self, mechanism: &Mechanism, contact: Contact) -> bool {
+    pub fn hold(&self, mechanism: &Mechanism, contact: Contact) -> bool {
         let (link, other) = match contact {
             Contact::Pin { link, against, .. } => (link, Some(index(against))),
             Contact::Guide(link) => {

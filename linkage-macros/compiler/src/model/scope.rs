@@ -10,7 +10,7 @@ use crate::model::mechanism::{Mechanism, ParamKind, Scalar};
 use crate::model::names::Names;
 
 /// All that is declared so far, and where mistakes are reported.
-pub(super) struct Scope<'d> {
+pub struct Scope<'d> {
     pub diagnostics: &'d mut Diagnostics,
     /// The tokens that the parser gave up. Nothing is known of a name among them.
     pub unread: &'d Unread,

@@ -8,7 +8,7 @@ use crate::model::mechanism::UnknownId;
 use crate::model::names::Entity;
 
 /// An unknown, and what its statement and those behind it have made of it.
-pub(super) struct Searched {
+pub struct Searched {
     pub id: UnknownId,
     pub name: Ident,
     pub follows: HashSet<Entity>,

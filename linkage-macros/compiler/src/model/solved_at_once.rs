@@ -6,7 +6,7 @@ use crate::model::ids::{GroupId, PointId};
 
 /// A group that is solved by all its unknowns at once.
 #[derive(Clone)]
-pub(crate) struct Tracked {
+pub struct Tracked {
     /// Its title is that of the links: what fails with it.
     pub group: GroupId,
     /// The value of the drive that its unknowns are fitted over, an angle or another number.
@@ -19,7 +19,7 @@ pub(crate) struct Tracked {
 
 /// The unknowns of a group over the drive.
 #[derive(Clone)]
-pub(crate) struct TrackedFit {
+pub struct TrackedFit {
     pub unknowns: Vec<TrackedUnknown>,
     /// The drive's value in the drawing.
     pub drawn: f64,
@@ -34,7 +34,7 @@ pub(crate) struct TrackedFit {
 
 /// An angle or a slide.
 #[derive(Clone, Debug)]
-pub(crate) struct TrackedUnknown {
+pub struct TrackedUnknown {
     pub name: String,
     pub is_angle: bool,
     /// Its value in the drawing.
@@ -43,7 +43,7 @@ pub(crate) struct TrackedUnknown {
 
 /// Two points that are one where the group is solved.
 #[derive(Clone)]
-pub(crate) struct TrackedClosing {
+pub struct TrackedClosing {
     pub points: [PointId; 2],
     /// A bound on the sum of the second derivatives of the vector between them.
     pub bend: f64,
@@ -51,7 +51,7 @@ pub(crate) struct TrackedClosing {
 
 impl TrackedFit {
     /// The stretch of the drive on which it is certified, from the drawing.
-    pub(crate) fn stretch(&self) -> [f64; 2] {
+    pub fn stretch(&self) -> [f64; 2] {
         match &self.pieces[..] {
             [first, .., last] => [first.ends[0], last.ends[1]],
             [only] => only.ends,

@@ -5,21 +5,21 @@ use crate::model::ids::{GroupId, GuideId, PointId};
 use crate::model::incidence::{Carrier, Group, Length, Sign};
 
 #[derive(Clone)]
-pub(crate) enum GuideDirection {
+pub enum GuideDirection {
     /// The angle against the carrier's x.
     Along(AngleSum),
     Towards(PointId),
 }
 
 #[derive(Clone)]
-pub(crate) enum Through {
+pub enum Through {
     /// Coordinates in the carrier's frame.
     At([Scalar; 2]),
     Point(PointId),
 }
 
 #[derive(Clone)]
-pub(crate) enum Placement {
+pub enum Placement {
     Cartesian([Scalar; 2]),
     /// Distance from the carrier's origin, angle against its x.
     Polar(Scalar, Scalar),
@@ -33,7 +33,7 @@ pub(crate) enum Placement {
 
 /// One statement that places something.
 #[derive(Clone)]
-pub(crate) enum Step {
+pub enum Step {
     Ground {
         point: PointId,
         at: [Scalar; 2],

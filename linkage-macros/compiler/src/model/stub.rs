@@ -5,8 +5,6 @@
 //! A stub never runs. No step places anything, and the program behind it returns zeros.
 
 mod result_fields;
-#[cfg(test)]
-mod tests;
 
 use proc_macro2::{Ident, Span};
 use quote::format_ident;

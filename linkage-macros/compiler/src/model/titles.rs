@@ -19,7 +19,7 @@ impl Mechanism {
     /// A spring, a stop or a force between two points has no direction where they meet; an input may move no mass; a
     /// function may need a number above zero; a load may do no work on the input that it drives; a link may not turn, and
     /// has no pole.
-    pub(crate) fn titles(&self) -> Vec<String> {
+    pub fn titles(&self) -> Vec<String> {
         let groups = self.groups.iter().map(|group| group.title.clone());
         let elastic = self.dynamics.elastic_titles().map(str::to_string);
         let forces = self.dynamics.forces.iter().map(|force| match force {
@@ -68,7 +68,7 @@ impl Mechanism {
     }
 
     /// The title of what fails where an unknown is not found: its name, or the links of a drawing for which it was put.
-    pub(crate) fn title_of_unknown(&self, unknown: &Unknown) -> &str {
+    pub fn title_of_unknown(&self, unknown: &Unknown) -> &str {
         let title = &self.groups[unknown.group.index()].title;
         title.strip_prefix("r#").unwrap_or(title)
     }
@@ -106,7 +106,7 @@ impl Mechanism {
     }
 
     /// `ground` or the link.
-    pub(crate) fn body_name(&self, body: Carrier) -> String {
+    pub fn body_name(&self, body: Carrier) -> String {
         match body {
             Carrier::Ground => "ground".to_string(),
             Carrier::Link(link) => self.links[link.index()].name.to_string(),

@@ -34,7 +34,7 @@ use crate::ir::hash::Map;
 use crate::ir::program::Program;
 
 /// The program with squares of distances in their affine form, where that loses nothing.
-pub(super) fn square_distances(program: &Program) -> Program {
+pub fn square_distances(program: &Program) -> Program {
     let graph = &program.graph;
     let squares = squares(graph);
     rebuild_with(program, RULES, |maker, id, moved| squares.get(&id)?.make(maker, moved))

@@ -28,7 +28,7 @@ use crate::ir::program::{Clearance, Program};
 
 /// The program with the sums of its equations of motion collected; everything else stands where it
 /// stood.
-pub(super) fn collect_multiples(program: &Program) -> Program {
+pub fn collect_multiples(program: &Program) -> Program {
     // Not looked for where there are no equations of motion.
     let stays = LazyCell::new(|| stays(program));
     // Each answer for itself: what the one uses once, the other may use twice.

@@ -15,7 +15,7 @@ use crate::ir::program::Program;
 
 /// The program with conditions that are equal but for their group made one, in its equations of
 /// motion.
-pub(super) fn ask_once(program: &Program) -> Program {
+pub fn ask_once(program: &Program) -> Program {
     let old = &program.graph;
     in_dynamics(program, |graph, sinks| {
         let mut first: Map<(Id, Check, Vec<Id>), u32> = Map::default();

@@ -14,7 +14,7 @@ use crate::ir::liveness::{Path, live};
 use crate::ir::program::Program;
 
 /// The program with products contracted into the sums that use them.
-pub(crate) fn fuse_products(program: &Program) -> Program {
+pub fn fuse_products(program: &Program) -> Program {
     let graph = &program.graph;
     let asked = asked_for_errors(program);
     let product = |id: Id| match graph.node(id) {

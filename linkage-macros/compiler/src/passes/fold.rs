@@ -5,7 +5,7 @@ use crate::ir::construct::Maker;
 use crate::ir::graph::{Graph, Id, Node};
 
 /// The constant that the operation makes, if all its operands are constants.
-pub(crate) fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
+pub fn fold_constants(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
     if let Node::Guard(value, guard) = node {
         let check = &maker.graph.condition(guard).check;
         return (check.row().holds)(maker.graph.as_constant(value)?).then_some(value);

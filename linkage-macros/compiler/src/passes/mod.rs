@@ -5,15 +5,13 @@
 //! are not, except among constants, which are exact, and where a pass says why and what it costs.
 //! Nothing here knows a mechanism.
 
-mod affine;
-mod collect;
-mod conditions;
-mod contract;
-mod fold;
-mod product_sums;
-mod simplify;
-#[cfg(test)]
-mod tests;
+pub mod affine;
+pub mod collect;
+pub mod conditions;
+pub mod contract;
+pub mod fold;
+pub mod product_sums;
+pub mod simplify;
 
 use crate::interface::entries::EntryPoint;
 use crate::ir::construct::{Rule, rebuild};
@@ -22,10 +20,10 @@ use crate::ir::program::Program;
 
 /// The rules under which the equations are written down. Afterwards no operation has only
 /// constants as operands, and no operand is a neutral or annihilating one.
-pub(crate) const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
+pub const RULES: &[Rule] = &[fold::fold_constants, simplify::simplify];
 
 /// The passes in order.
-pub(crate) fn optimise(program: &Program) -> Program {
+pub fn optimise(program: &Program) -> Program {
     // Among two products that are added, the one that is known last is added last.
     let chained = product_sums::negate_within(&product_sums::chain_products(&shortened(program)));
     // A product that only a sum uses is part of a fused operation.
@@ -33,7 +31,7 @@ pub(crate) fn optimise(program: &Program) -> Program {
 }
 
 /// The passes before products are contracted into sums.
-fn shortened(program: &Program) -> Program {
+pub fn shortened(program: &Program) -> Program {
     // Nothing is left that no entry needs.
     let needed = rebuild(program, RULES);
     // Distances of cranks' pins are affine in the angle's cosine and sine.

@@ -17,7 +17,7 @@ use super::contract::asked_for_errors;
 
 /// Rewrites rates c + (ab + de) to the chain (c + ab) + de. The inner sum has a single use, and no rounding
 /// error of either sum is requested.
-pub(super) fn chain_products(program: &Program) -> Program {
+pub fn chain_products(program: &Program) -> Program {
     let (graph, own) = (&program.graph, Own::of(program));
     let (depths, are_rates) = (depths(graph), rates(graph));
     rebuild_with(program, &[], |maker, id, moved| {
@@ -41,7 +41,7 @@ pub(super) fn chain_products(program: &Program) -> Program {
 }
 
 /// Moves the sign of a negated sum with a single use to the sum's terms.
-pub(super) fn negate_within(program: &Program) -> Program {
+pub fn negate_within(program: &Program) -> Program {
     let sums = Own::of(program);
     rebuild_with(program, &[], |maker, id, moved| match program.graph.node(id) {
         Node::Neg(sum) => sums.negative(maker, sum, moved),

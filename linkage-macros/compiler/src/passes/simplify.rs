@@ -9,7 +9,7 @@ use crate::ir::construct::Maker;
 use crate::ir::graph::{Id, Node, OperandForm};
 
 /// Simpler equivalent of the node, if there is one.
-pub(crate) fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
+pub fn simplify(maker: &mut Maker<'_>, node: Node) -> Option<Id> {
     match node {
         Node::Neg(a) => negation(maker, a),
         Node::Add(a, b) => sum(maker, a, b),

@@ -82,6 +82,3 @@ pub(super) fn in_c(selection: &Selection, provenance: &Provenance<'_>) -> Vec<(S
     // Both have the same run-time, which is printed with the mechanism's own.
     solver.into_iter().take(2).chain(lists).collect()
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,10 +1,5 @@
 //! A declaration with several sets of inputs: a solver each, and the struct of their parameters.
 
-#[cfg(test)]
-mod cuts;
-#[cfg(test)]
-mod tests;
-
 use proc_macro2::TokenStream;
 
 use super::parsed::Parsed;

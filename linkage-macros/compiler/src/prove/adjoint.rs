@@ -10,7 +10,7 @@ use crate::function::Function;
 use crate::ir::graph::{Id, Node};
 
 /// Values over a box, whose adjoints are found.
-pub(crate) struct Adjoints<'a, 'g> {
+pub struct Adjoints<'a, 'g> {
     pub subject: &'a Goal<'g>,
     pub frame: &'a InputBox,
     pub values: &'a [SlopedValue],
@@ -18,7 +18,7 @@ pub(crate) struct Adjoints<'a, 'g> {
 
 impl Adjoints<'_, '_> {
     /// The adjoint of every node for a result, none where the result does not depend on it.
-    pub(crate) fn adjoints(&self, sink: Id) -> Vec<Option<SlopedValue>> {
+    pub fn adjoints(&self, sink: Id) -> Vec<Option<SlopedValue>> {
         let mut adjoints: Vec<Option<SlopedValue>> = vec![None; self.subject.nodes.len()];
         adjoints[self.subject.place(sink)] =
             Some(SlopedValue::constant(OutwardInterval::point(1.0)));

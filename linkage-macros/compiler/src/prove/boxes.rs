@@ -14,7 +14,7 @@ const FIRST: [usize; 2] = [16, 64];
 
 /// The limits of a search for bounds.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Budget {
+pub struct Budget {
     /// The most boxes.
     pub boxes: usize,
     /// The smallest side of a box, as a share of its range.
@@ -23,7 +23,7 @@ pub(crate) struct Budget {
 
 /// The bound of a result.
 #[derive(Clone, Debug)]
-pub(crate) struct ErrorBound {
+pub struct ErrorBound {
     /// No error is larger, wherever it is proved.
     pub error: f64,
     /// No bound is smaller: the largest at a point.
@@ -39,7 +39,7 @@ pub(crate) type BoxSides = Vec<[f64; 2]>;
 
 /// The proof over a range.
 #[derive(Clone, Debug)]
-pub(crate) struct Proof {
+pub struct Proof {
     /// By result, its bound, or why there is none.
     pub bounds: Vec<Result<ErrorBound, Unproved>>,
     /// Boxes in which a comparison of the fast path, or a bound, is not shown.
@@ -87,7 +87,7 @@ pub(crate) fn survey(subject: &Goal<'_>, effort: Budget) -> Proof {
 }
 
 /// Bounds of all results over the range.
-pub(crate) fn prove(subject: &Goal<'_>, effort: Budget) -> Proof {
+pub fn prove(subject: &Goal<'_>, effort: Budget) -> Proof {
     let reason = |id: Id| subject.unproved(id).or_else(|| subject.undemanded());
     let mut ids: Vec<Id> =
         subject.sinks.iter().copied().filter(|&id| reason(id).is_none()).collect();

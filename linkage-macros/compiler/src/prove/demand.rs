@@ -7,7 +7,7 @@ use crate::ir::graph::Id;
 
 /// A comparison of the fast path.
 #[derive(Clone, Debug)]
-pub(crate) enum Demand {
+pub enum Demand {
     /// A value against a threshold in double and in single precision, and against the rounding of a spread.
     Compare {
         value: Id,

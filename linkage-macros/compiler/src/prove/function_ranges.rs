@@ -19,7 +19,7 @@ const PHASE: f64 = 1e-9;
 
 /// Value and slopes of a function by each argument; none where it is not followed, or where it jumps or has a corner
 /// on the way.
-pub(crate) fn of(
+pub fn of(
     function: Function,
     arguments: &[OutwardInterval],
 ) -> Option<(OutwardInterval, [OutwardInterval; 2])> {

@@ -12,7 +12,7 @@ use crate::ir::liveness::{live, live_nodes};
 
 /// The reason why there is no bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unproved {
+pub enum Unproved {
     /// A function whose error nobody states.
     Function(Function),
     /// Amounts of friction, which are solved.
@@ -24,7 +24,7 @@ pub(crate) enum Unproved {
 }
 
 /// See the module's documentation.
-pub(crate) struct Goal<'g> {
+pub struct Goal<'g> {
     pub graph: &'g Graph,
     pub width: Precision,
     pub given: &'g Premises,
@@ -45,7 +45,7 @@ pub(crate) struct Goal<'g> {
 
 /// A number that is rounded, of which both are known.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RoundedNumber {
+pub struct RoundedNumber {
     /// Computed less exact.
     pub error: OutwardInterval,
     /// Both.
@@ -53,7 +53,7 @@ pub(crate) struct RoundedNumber {
 }
 
 impl<'g> Goal<'g> {
-    pub(crate) fn new(
+    pub fn new(
         graph: &'g Graph,
         (sinks, demands): (&'g [Id], &'g [Demand]),
         given: &'g Premises,
@@ -87,11 +87,11 @@ impl<'g> Goal<'g> {
         subject
     }
 
-    pub(crate) fn place(&self, id: Id) -> usize {
+    pub fn place(&self, id: Id) -> usize {
         self.places[id.index()]
     }
 
-    pub(crate) fn known(&self, place: usize) -> Option<RoundedNumber> {
+    pub fn known(&self, place: usize) -> Option<RoundedNumber> {
         self.known[place]
     }
 
@@ -111,7 +111,7 @@ impl<'g> Goal<'g> {
         certified.map(Unproved::Together).or_else(read)
     }
 
-    pub(crate) fn leaf(&self, node: Node) -> Option<&'g Leaf> {
+    pub fn leaf(&self, node: Node) -> Option<&'g Leaf> {
         leaf(self.given, node)
     }
 

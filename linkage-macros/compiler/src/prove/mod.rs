@@ -32,17 +32,15 @@
 //! rounding where it is monotone. Bounds at corners are lower limits of the best bound: a box is halved until its
 //! own is not far above the largest of these.
 
-pub(crate) mod adjoint;
-pub(crate) mod boxes;
+pub mod adjoint;
+pub mod boxes;
 pub(crate) mod demand;
-pub(crate) mod function_ranges;
-pub(crate) mod goal;
-pub(crate) mod one_box;
-pub(crate) mod outward;
+pub mod function_ranges;
+pub mod goal;
+pub mod one_box;
+pub mod outward;
 mod own_error;
-pub(crate) mod premises;
-pub(crate) mod sloped;
-#[cfg(test)]
-mod tests;
+pub mod premises;
+pub mod sloped;
 mod value;
-pub(crate) mod width;
+pub mod width;

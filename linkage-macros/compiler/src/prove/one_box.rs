@@ -10,7 +10,7 @@ use super::value::value;
 use crate::ir::graph::Id;
 
 /// Values over a box, each with its own error, and their errors.
-pub(crate) struct OneBox<'a, 'g> {
+pub struct OneBox<'a, 'g> {
     pub subject: &'a Goal<'g>,
     pub frame: InputBox,
     pub values: Vec<SlopedValue>,
@@ -19,7 +19,7 @@ pub(crate) struct OneBox<'a, 'g> {
 }
 
 impl<'a, 'g> OneBox<'a, 'g> {
-    pub(crate) fn new(subject: &'a Goal<'g>, frame: InputBox) -> Self {
+    pub fn new(subject: &'a Goal<'g>, frame: InputBox) -> Self {
         let (mut values, mut errors) = (Vec::new(), Vec::new());
         for place in 0..subject.nodes.len() {
             let exact = value(subject, &frame, &values, place);
@@ -34,7 +34,7 @@ impl<'a, 'g> OneBox<'a, 'g> {
     }
 
     /// A value over the box, computed or exact.
-    pub(crate) fn range(&self, id: Id) -> OutwardInterval {
+    pub fn range(&self, id: Id) -> OutwardInterval {
         self.values[self.subject.place(id)].range()
     }
 
@@ -69,7 +69,7 @@ impl<'a, 'g> OneBox<'a, 'g> {
     }
 
     /// The bound of a result over the box and at each corner: an infinite one where there is none.
-    pub(crate) fn bounds(&self, sink: Id) -> Vec<f64> {
+    pub fn bounds(&self, sink: Id) -> Vec<f64> {
         let subject = self.subject;
         let backwards = Adjoints { subject, frame: &self.frame, values: &self.values };
         let adjoints = backwards.adjoints(sink);

@@ -5,7 +5,7 @@
 
 /// All numbers x with `low` ≤ x ≤ `high`; an end that is not known is infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct OutwardInterval {
+pub struct OutwardInterval {
     pub low: f64,
     pub high: f64,
 }
@@ -33,12 +33,12 @@ impl OutwardInterval {
     pub(crate) const ZERO: Self = Self { low: 0.0, high: 0.0 };
     pub(crate) const ALL: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
-    pub(crate) const fn point(value: f64) -> Self {
+    pub const fn point(value: f64) -> Self {
         Self { low: value, high: value }
     }
 
     /// Between two numbers that are known without error.
-    pub(crate) const fn between(low: f64, high: f64) -> Self {
+    pub const fn between(low: f64, high: f64) -> Self {
         Self { low, high }
     }
 
@@ -49,7 +49,7 @@ impl OutwardInterval {
     }
 
     #[inline]
-    pub(crate) fn magnitude(self) -> f64 {
+    pub fn magnitude(self) -> f64 {
         self.low.abs().max(self.high.abs())
     }
 
@@ -63,7 +63,7 @@ impl OutwardInterval {
         self.low <= 0.0 && self.high >= 0.0
     }
 
-    pub(crate) fn is_finite(self) -> bool {
+    pub fn is_finite(self) -> bool {
         self.low.is_finite() && self.high.is_finite()
     }
 

@@ -5,7 +5,7 @@ use crate::exact::Exact;
 
 /// A number that a program is given.
 #[derive(Clone, Debug)]
-pub(crate) enum Leaf {
+pub enum Leaf {
     /// A number of the width, which goes over this range of [`Premises::ranges`]. Taken as exact.
     Ranged(usize),
     /// A number of the width within these. Taken as exact.
@@ -16,7 +16,7 @@ pub(crate) enum Leaf {
 
 /// See the module's documentation.
 #[derive(Clone, Debug)]
-pub(crate) struct Premises {
+pub struct Premises {
     /// The ends of each range.
     pub ranges: Vec<[f64; 2]>,
     /// Value, rate and acceleration of each input.
@@ -33,7 +33,7 @@ pub(crate) struct Premises {
 
 /// The errors of functions that a target brings, where it brings any.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Hooks {
+pub struct Hooks {
     /// The error of sine and cosine.
     pub sine: Option<f64>,
     /// The error of the square root, in last places.
@@ -41,10 +41,10 @@ pub(crate) struct Hooks {
 }
 
 impl Leaf {
-    pub(crate) const ZERO: Self = Self::Within(OutwardInterval::ZERO);
+    pub const ZERO: Self = Self::Within(OutwardInterval::ZERO);
 
     /// This number, which every width holds.
-    pub(crate) fn number(value: f64) -> Self {
+    pub fn number(value: f64) -> Self {
         Self::Within(OutwardInterval::point(value))
     }
 }

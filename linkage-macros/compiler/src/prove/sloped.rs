@@ -11,14 +11,14 @@ pub(crate) const COLUMNS: usize = 1 + (1 << INPUTS);
 
 /// See the module's documentation.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SlopedValue {
+pub struct SlopedValue {
     pub columns: [OutwardInterval; COLUMNS],
     pub slopes: [OutwardInterval; INPUTS],
 }
 
 /// A box of inputs.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct InputBox {
+pub struct InputBox {
     pub inputs: usize,
     low: [f64; INPUTS],
     high: [f64; INPUTS],
@@ -34,13 +34,13 @@ impl SlopedValue {
         Self { columns: [OutwardInterval::ZERO; COLUMNS], slopes: [OutwardInterval::ZERO; INPUTS] };
 
     /// The values over the box.
-    pub(crate) fn range(&self) -> OutwardInterval {
+    pub fn range(&self) -> OutwardInterval {
         self.columns[0]
     }
 }
 
 impl InputBox {
-    pub(crate) fn new(sides: &[[f64; 2]]) -> Self {
+    pub fn new(sides: &[[f64; 2]]) -> Self {
         let (mut low, mut high) = ([0.0; INPUTS], [0.0; INPUTS]);
         for (input, &[from, to]) in sides.iter().enumerate() {
             (low[input], high[input]) = (from, to);

@@ -5,7 +5,7 @@ use crate::function::Function;
 
 /// A width of numbers: what rounding to it does.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Precision {
+pub struct Precision {
     /// The bits of a significand.
     bits: i32,
     /// The smallest number is this power of two.
@@ -22,14 +22,14 @@ pub(crate) struct Precision {
 const ROUNDINGS: f64 = 16.0;
 
 impl Precision {
-    pub(crate) const SINGLE: Self = Self {
+    pub const SINGLE: Self = Self {
         bits: 24,
         least: -149,
         largest: f32::MAX as f64,
         largest_angle: 51_471.0,
         is_double: false,
     };
-    pub(crate) const DOUBLE: Self = Self {
+    pub const DOUBLE: Self = Self {
         bits: 53,
         least: -1074,
         largest: f64::MAX,
@@ -38,13 +38,12 @@ impl Precision {
     };
 
     /// A format of so few bits that all its numbers can be tried.
-    #[cfg(test)]
-    pub(crate) const fn small(bits: i32, least: i32, largest: f64) -> Self {
+    pub const fn small(bits: i32, least: i32, largest: f64) -> Self {
         Self { bits, least, largest, ..Self::SINGLE }
     }
 
     /// That one of two, in double and in single precision.
-    pub(crate) fn of_width<T>(self, [double, single]: [T; 2]) -> T {
+    pub fn of_width<T>(self, [double, single]: [T; 2]) -> T {
         if self.is_double { double } else { single }
     }
 
@@ -103,7 +102,7 @@ impl Precision {
     }
 
     /// The constant rounded to this width.
-    pub(crate) fn round(self, value: &Exact) -> f64 {
+    pub fn round(self, value: &Exact) -> f64 {
         if self.is_double { value.to_f64() } else { value.to_f32().into() }
     }
 

@@ -4,7 +4,7 @@ use crate::exact::Exact;
 
 /// A directed line through a place.
 #[derive(Clone)]
-pub(crate) struct BodyLine {
+pub struct BodyLine {
     pub through: [Exact; 2],
     pub angle: Exact,
 }

@@ -5,7 +5,7 @@
 
 pub(crate) mod apex;
 pub(crate) mod line;
-pub(crate) mod turn;
+pub mod turn;
 
 use crate::exact::Exact;
 

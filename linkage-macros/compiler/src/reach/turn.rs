@@ -17,7 +17,7 @@ use crate::exact::Exact;
 
 /// The part of a turn over which a dyad on a crank can be assembled.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Turn {
+pub struct Turn {
     pub range: Range,
     /// The angles, in degrees, at which both assembly modes are one while the crank passes.
     pub change_points: Vec<f64>,
@@ -25,7 +25,7 @@ pub(crate) struct Turn {
 
 /// The angles of a crank at which a dyad assembles, in degrees.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Range {
+pub enum Range {
     Full,
     /// From, to: one interval, or two that the crank cannot leave for each other.
     Within(Vec<[f64; 2]>),
@@ -42,7 +42,7 @@ pub(crate) fn degrees(angle: f64) -> String {
 impl Turn {
     /// Two bars between the pin of a crank of this radius and a point of the ground, that far from
     /// the crank's pivot.
-    pub(crate) fn of_two_bars(radius: &Exact, [dx, dy]: &[Exact; 2], lengths: [&Exact; 2]) -> Self {
+    pub fn of_two_bars(radius: &Exact, [dx, dy]: &[Exact; 2], lengths: [&Exact; 2]) -> Self {
         let ground = dx.hypot(dy);
         let (sum, difference) = (lengths[0].add(lengths[1]), absolute(&lengths[0].sub(lengths[1])));
         let both = squared(radius).add(&squared(&ground));
@@ -133,24 +133,4 @@ fn from_half_turn([from, to]: [f64; 2]) -> [f64; 2] {
     // An angle shown as −180° becomes 180°.
     let turns = ((from + 180.0 - 1e-9) / 360.0).floor() * 360.0;
     [from - turns, to - turns]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Two bars that turn with the crank about its own pivot: their joint stays where it is.
-    #[test]
-    fn bars_on_the_pivot_of_the_crank_turn_with_it_or_never() {
-        let range = |radius: i64, lengths: [i64; 2]| {
-            let [first, second] = lengths.map(Exact::integer);
-            let at = [Exact::integer(0), Exact::integer(0)];
-            Turn::of_two_bars(&Exact::integer(radius), &at, [&first, &second]).range
-        };
-        // Inside the reach, at its outer end and at its inner end; and beyond both.
-        assert_eq!(range(3, [2, 3]), Range::Full);
-        assert_eq!([range(3, [1, 2]), range(3, [1, 4])], [Range::Full, Range::Full]);
-        assert_eq!([range(3, [1, 1]), range(1, [1, 3])], [Range::Never, Range::Never]);
-        assert_eq!([range(1, [3, 1]), range(2, [3, 1])], [Range::Never, Range::Full]);
-    }
 }

@@ -21,8 +21,6 @@ mod near_limits;
 mod proved_entry;
 mod sensitivity;
 mod stretches;
-#[cfg(test)]
-mod tests;
 mod transmission;
 
 use proc_macro2::TokenStream;

@@ -8,7 +8,7 @@ use super::words;
 
 /// Consequences of mistakes for the rest of the declaration.
 #[derive(Default)]
-pub(super) struct Aftermath {
+pub struct Aftermath {
     /// The identifiers that were given up, see [`super::tree::Unread`].
     pub unread: HashSet<String>,
     /// True if a statement by which the machine moves was not read as it is written.

@@ -1,7 +1,7 @@
 //! The anatomy of every driver and dyad: its joints, its pin, its fields, its modes, and the links
 //! that slide.
 
-pub(crate) struct GroupSpec {
+pub struct GroupSpec {
     pub keyword: &'static str,
     /// None of a spring, which is no group, but has fields like one.
     pub class: Option<Class>,
@@ -15,7 +15,7 @@ pub(crate) struct GroupSpec {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Class {
+pub enum Class {
     Crank,
     Slider,
     Rrr,
@@ -27,7 +27,7 @@ pub(crate) enum Class {
 
 /// An outer joint: what it stands on, and what says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum JointRule {
+pub enum JointRule {
     /// Stands on a point.
     Revolute(Reason),
     /// Stands on a guide.
@@ -35,7 +35,7 @@ pub(crate) enum JointRule {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Reason {
+pub enum Reason {
     /// The letter of the keyword that names the joint.
     Letter(&'static str),
     /// A driver's own joint, with the driver's motion in words.
@@ -43,14 +43,14 @@ pub(crate) enum Reason {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Pin {
+pub enum Pin {
     Needed,
     Optional,
     /// With the reason why there is none.
     None(&'static str),
 }
 
-pub(crate) struct FieldRule {
+pub struct FieldRule {
     pub name: &'static str,
     pub pair: bool,
     pub needed: Needed,
@@ -59,7 +59,7 @@ pub(crate) struct FieldRule {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Needed {
+pub enum Needed {
     Always,
     /// Needed where the statement makes a pin, and refused where it does not.
     WithPin,
@@ -67,7 +67,7 @@ pub(crate) enum Needed {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Modes {
+pub enum Modes {
     /// `left` or `right`.
     Side,
     /// `ahead` or `behind`.
@@ -200,7 +200,7 @@ const ANATOMIES: [GroupSpec; 7] = [
 ];
 
 /// The words that begin the statement of a driver or of a dyad.
-pub(crate) const KEYWORDS: [&str; ANATOMIES.len()] = {
+pub const KEYWORDS: [&str; ANATOMIES.len()] = {
     let mut words = [""; ANATOMIES.len()];
     let mut i = 0;
     while i < words.len() {
@@ -211,7 +211,7 @@ pub(crate) const KEYWORDS: [&str; ANATOMIES.len()] = {
 };
 
 impl GroupSpec {
-    pub(crate) fn of(keyword: &str) -> Option<&'static Self> {
+    pub fn of(keyword: &str) -> Option<&'static Self> {
         ANATOMIES.iter().find(|anatomy| anatomy.keyword == keyword)
     }
 
@@ -314,7 +314,7 @@ impl Modes {
         }
     }
 
-    pub(crate) const fn words(self) -> [&'static str; 2] {
+    pub const fn words(self) -> [&'static str; 2] {
         self.row().words
     }
 

@@ -30,7 +30,7 @@ pub(crate) const FRICTION: &str = "a reaction follows from all forces, so none c
                                    what slides";
 
 impl Parser<'_> {
-    pub(super) fn expression(&mut self) -> Parse<Expr> {
+    pub fn expression(&mut self) -> Parse<Expr> {
         let sum = self.chain(&[('+', BinaryOp::Add), ('-', BinaryOp::Sub)], |parser| {
             parser.chain(&[('*', BinaryOp::Mul), ('/', BinaryOp::Div)], Self::operand)
         })?;

@@ -34,27 +34,24 @@
 
 mod action;
 mod action_slips;
-mod aftermath;
-pub(crate) mod anatomy;
+pub mod aftermath;
+pub mod anatomy;
 mod declaration;
 mod drawn_slips;
 pub(crate) mod expression;
 mod group;
-mod inputs;
-mod links;
-mod number;
-pub(crate) mod openings;
-mod recovery;
+pub mod inputs;
+pub mod links;
+pub mod number;
+pub mod openings;
+pub mod recovery;
 mod slips;
-mod solve;
+pub mod solve;
 mod statement;
-mod tokens;
-pub(crate) mod tree;
+pub mod tokens;
+pub mod tree;
 mod unit_products;
-pub(crate) mod words;
-
-#[cfg(test)]
-mod tests;
+pub mod words;
 
 use proc_macro2::TokenStream;
 
@@ -64,7 +61,7 @@ use tree::Declaration;
 /// Parses a declaration; `None` only where its name could not be found. In a tree with reported
 /// mistakes their places are marked, and [`tree::Unread`] holds what may be missing because of
 /// them.
-pub(crate) fn parse(source: TokenStream, diagnostics: &mut Diagnostics) -> Option<Declaration> {
+pub fn parse(source: TokenStream, diagnostics: &mut Diagnostics) -> Option<Declaration> {
     let mut aftermath = aftermath::Aftermath::default();
     tokens::Parser::new(source, diagnostics, &mut aftermath).declaration()
 }

@@ -8,7 +8,7 @@ use super::tokens::{Parse, Parser};
 use super::tree::StatementKind;
 
 /// A word that begins a statement.
-pub(crate) struct Opening {
+pub struct Opening {
     pub word: &'static str,
     /// Reads what stands behind the word, which is given.
     pub(super) parse: fn(&mut Parser<'_>, &Ident) -> Parse<StatementKind>,
@@ -56,7 +56,7 @@ const fn acting(
 }
 
 /// All of them; the first seven stand in every machine.
-pub(crate) const OPENINGS: [Opening; 24] = [
+pub const OPENINGS: [Opening; 24] = [
     Opening {
         ends: Ending::Either,
         ..plain(

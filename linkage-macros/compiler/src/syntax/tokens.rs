@@ -8,12 +8,12 @@ use super::words;
 use crate::diagnostics::{Diagnostics, Extent};
 
 /// A part could not be parsed and its mistake was reported.
-pub(super) struct Reported;
+pub struct Reported;
 
 pub(super) type Parse<T> = Result<T, Reported>;
 
 /// Reads one delimited sequence of tokens.
-pub(super) struct Parser<'d> {
+pub struct Parser<'d> {
     pub trees: Vec<TokenTree>,
     pub next: usize,
     /// The closing delimiter.
@@ -35,7 +35,7 @@ pub(super) struct Parser<'d> {
 }
 
 impl<'d> Parser<'d> {
-    pub(super) fn new(
+    pub fn new(
         source: TokenStream,
         diagnostics: &'d mut Diagnostics,
         aftermath: &'d mut Aftermath,
@@ -176,7 +176,7 @@ impl<'d> Parser<'d> {
     }
 
     /// The next token as it is quoted in messages.
-    pub(super) fn found(&self) -> String {
+    pub fn found(&self) -> String {
         const SIGNS: [&str; 16] = [
             "->", "=>", "::", "==", "!=", "<=", ">=", "&&", "||", "..", "+=", "-=", "*=", "/=",
             "**", ":=",

@@ -11,13 +11,13 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 use syn::{Attribute, Visibility};
 
-pub(crate) use actions::*;
-pub(crate) use calculation::{BinaryOp, Expr, ExprKind, UnitPower};
-pub(crate) use kinematic::*;
+pub use actions::*;
+pub use calculation::{BinaryOp, Expr, ExprKind, UnitPower};
+pub use kinematic::*;
 
 /// `pub struct Name { statements }`.
 #[derive(Clone)]
-pub(crate) struct Declaration {
+pub struct Declaration {
     /// Doc comments of the struct.
     pub docs: Vec<Attribute>,
     pub visibility: Visibility,
@@ -31,7 +31,7 @@ pub(crate) struct Declaration {
 
 /// Links and guides that stand for quantities, which nobody has written.
 #[derive(Clone, Default)]
-pub(crate) struct Unwritten {
+pub struct Unwritten {
     pub names: Vec<Ident>,
     /// Texts of messages, and what is told in place of them.
     pub told: Vec<[String; 2]>,
@@ -42,7 +42,7 @@ pub(crate) struct Unwritten {
 /// The tokens that a mistake kept from being read. A name among them may have been declared or used
 /// there, so later phases do not report its absence.
 #[derive(Clone)]
-pub(crate) enum Unread {
+pub enum Unread {
     /// Nothing behind the name of the mechanism.
     Everything,
     /// The identifiers among the tokens that were given up, keywords included.
@@ -59,14 +59,14 @@ impl Unread {
 }
 
 #[derive(Clone)]
-pub(crate) struct Statement {
+pub struct Statement {
     /// Doc comments in front of the statement.
     pub docs: Vec<Attribute>,
     pub kind: StatementKind,
 }
 
 #[derive(Clone)]
-pub(crate) enum StatementKind {
+pub enum StatementKind {
     /// `input s, x: length;` or `input a = AB.angle, x = tool.x;`
     Input(InputStatement),
     /// `input hand { x = tool.x, y = tool.y }`; a declaration with such sets stands for one a set.

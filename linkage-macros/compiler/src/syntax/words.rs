@@ -63,7 +63,7 @@ const RUST: [&str; 53] = [
 ];
 
 /// The units a number may have.
-pub(crate) const UNITS: [&str; 16] =
+pub const UNITS: [&str; 16] =
     ["m", "mm", "cm", "um", "in", "ft", "rad", "deg", "turn", "kg", "g", "t", "N", "kN", "s", "ms"];
 
 /// Units that are as likely a name: `2 s` may want an operator.

@@ -17,7 +17,7 @@ const MOST_POWER: u32 = 10;
 const POINTS: usize = 2 * MOST_DEGREE + 3;
 
 /// The powers and the degree of a kind of group; `None` where no powers up to ten make one up to thirty.
-pub(crate) fn degree(group: &PinnedGroup) -> Option<ClosureDegree> {
+pub fn degree(group: &PinnedGroup) -> Option<ClosureDegree> {
     let samples: Vec<_> = (0..POINTS).map(|index| Sampled::of(group, point(index))).collect();
     let weights = [0, 1].map(|first| weights(first, POINTS - 1));
     let powers = all_powers(group.count()).into_iter().find(|powers| {

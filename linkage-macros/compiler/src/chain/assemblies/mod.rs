@@ -7,9 +7,9 @@
 //!
 //! The crate `linkage-assemblies` has the equation, and lists its zeros.
 
-pub(crate) mod degree;
-mod pinned;
-mod tower;
+pub mod degree;
+pub mod pinned;
+pub mod tower;
 
 use linkage_assemblies::{
     Assembly, Budget, ClosureDegree, List, MOST_DEGREE, PinnedDyad, PinnedGroup, Placed,
@@ -20,9 +20,9 @@ use super::cutting::{Found, Pair, SearchedGroup};
 use super::machine::Machine;
 
 /// The most that is spent on a list: every piece has its samples.
-const BUDGET: Budget = Budget { samples: 61 * 4000, pieces: 4000 };
+pub const BUDGET: Budget = Budget { samples: 61 * 4000, pieces: 4000 };
 /// The count of ways to solve a group by which its assemblies are listed at most, where the first does not prove them.
-const CUTS: usize = 4;
+pub const CUTS: usize = 4;
 
 /// The list of the first option that proves it: its count is that of any other.
 pub(super) fn by_another(machine: &Machine, options: &[SearchedGroup]) -> Option<Assemblies> {
@@ -40,7 +40,7 @@ pub(super) fn nearest_other(machine: &Machine, options: &[SearchedGroup]) -> Opt
 }
 
 /// The ways to assemble the group of a search; `None` where it has slides, links of given angle in its dyads, or no degree.
-pub(super) fn assemblies(machine: &Machine, search: &SearchedGroup) -> Option<Assemblies> {
+pub fn assemblies(machine: &Machine, search: &SearchedGroup) -> Option<Assemblies> {
     let group = pinned::pinned(machine, search)?;
     let degree = degree::degree(&group)?;
     of_degree(machine, search, (&group, &degree))
@@ -56,7 +56,7 @@ fn of_degree(
 }
 
 /// The list, its unknowns counted from the drawing.
-fn listed(
+pub fn listed(
     machine: &Machine,
     search: &SearchedGroup,
     (group, degree): (&PinnedGroup, &ClosureDegree),
@@ -69,7 +69,7 @@ fn listed(
 }
 
 /// The list with its unknowns counted from the drawing, and the drawing found in it.
-fn as_drawn(
+pub fn as_drawn(
     machine: &Machine,
     (group, degree): (&PinnedGroup, &ClosureDegree),
     listed: &List<{ 2 * MOST_DEGREE }>,
@@ -104,6 +104,3 @@ fn drawn_sides(machine: &Machine, group: &PinnedGroup) -> usize {
     };
     group.dyads().map(side).sum()
 }
-
-#[cfg(test)]
-mod tests;

@@ -8,7 +8,7 @@ use crate::chain::cutting::{Dyad, Found, Pair, SearchedGroup};
 use crate::chain::machine::Machine;
 
 /// The group of a search; `None` where it has a slide, or a dyad carries links between its bars.
-pub(super) fn pinned(machine: &Machine, search: &SearchedGroup) -> Option<PinnedGroup> {
+pub fn pinned(machine: &Machine, search: &SearchedGroup) -> Option<PinnedGroup> {
     let mut numbers = BodyNumbers { machine, of: vec![STANDING; machine.bodies.len()] };
     let (first, others) = search.steps.split_first()?;
     let Found::Crank { drive: None, body, pivot, .. } = first else { return None };

@@ -1,9 +1,9 @@
 //! Numbers of a prime field, with square roots adjoined one after the other.
 
 /// The prime 2³¹ − 1: a product of two residues fits into 64 bits.
-pub(super) const PRIME: u64 = (1 << 31) - 1;
+pub const PRIME: u64 = (1 << 31) - 1;
 
-pub(super) fn product(a: u64, b: u64) -> u64 {
+pub fn product(a: u64, b: u64) -> u64 {
     a * b % PRIME
 }
 
@@ -20,7 +20,7 @@ pub(super) fn power(mut base: u64, mut exponent: u64) -> u64 {
 }
 
 /// By Fermat's theorem; zero for zero.
-pub(super) fn reciprocal(a: u64) -> u64 {
+pub fn reciprocal(a: u64) -> u64 {
     power(a, PRIME - 2)
 }
 
@@ -30,13 +30,13 @@ pub(super) type Residues = Vec<u64>;
 
 /// The squares of the roots that were adjoined: each is a number of the level below its root.
 #[derive(Default)]
-pub(super) struct Tower {
+pub struct Tower {
     squares: Vec<Residues>,
 }
 
 impl Tower {
     /// Adjoins the root of a number.
-    pub(super) fn adjoin(&mut self, square: Residues) -> Residues {
+    pub fn adjoin(&mut self, square: Residues) -> Residues {
         let size = 1 << self.squares.len();
         self.squares.push(padded(square, size));
         let mut root = vec![0; 2 * size];
@@ -48,11 +48,11 @@ impl Tower {
         &self.squares[half.ilog2() as usize]
     }
 
-    pub(super) fn plus(&self, a: &[u64], b: &[u64]) -> Residues {
+    pub fn plus(&self, a: &[u64], b: &[u64]) -> Residues {
         self.by_parts(a, b, |a, b| (a + b) % PRIME)
     }
 
-    pub(super) fn minus(&self, a: &[u64], b: &[u64]) -> Residues {
+    pub fn minus(&self, a: &[u64], b: &[u64]) -> Residues {
         self.by_parts(a, b, |a, b| (a + PRIME - b) % PRIME)
     }
 
@@ -62,7 +62,7 @@ impl Tower {
     }
 
     /// (x + y s) (u + v s) = x u + y v s² + (x v + y u) s.
-    pub(super) fn times(&self, a: &[u64], b: &[u64]) -> Residues {
+    pub fn times(&self, a: &[u64], b: &[u64]) -> Residues {
         let (a, b) = if a.len() < b.len() { (b, a) } else { (a, b) };
         if let [a] = a {
             return vec![product(*a, b[0])];
@@ -80,7 +80,7 @@ impl Tower {
     }
 
     /// 1/(x + y s) = (x − y s)/(x² − y² s²).
-    pub(super) fn inverse(&self, a: &[u64]) -> Residues {
+    pub fn inverse(&self, a: &[u64]) -> Residues {
         if let [a] = a {
             return vec![reciprocal(*a)];
         }
@@ -98,7 +98,7 @@ impl Tower {
     }
 
     /// The product over both signs of each of the first so many roots.
-    pub(super) fn norm(&self, a: &[u64], roots: usize) -> u64 {
+    pub fn norm(&self, a: &[u64], roots: usize) -> u64 {
         let mut norm = padded(a.to_vec(), 1 << roots);
         while norm.len() > 1 {
             norm = self.norm_below(&norm);

@@ -14,15 +14,15 @@ pub(in crate::codegen) const PARAMETERS: &str = "mechanism";
 
 /// The number that a type or function is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Width {
+pub enum Width {
     Double,
     Single,
 }
 
 impl Width {
-    pub(in crate::codegen) const ALL: [Self; 2] = [Self::Double, Self::Single];
+    pub const ALL: [Self; 2] = [Self::Double, Self::Single];
 
-    pub(in crate::codegen) fn in_rust(self) -> &'static str {
+    pub fn in_rust(self) -> &'static str {
         match self {
             Self::Double => "f64",
             Self::Single => "f32",
@@ -53,7 +53,7 @@ impl Width {
     }
 
     /// A mechanism's type for numbers of this width.
-    pub(in crate::codegen) fn type_name(self, name: &str) -> String {
+    pub fn type_name(self, name: &str) -> String {
         let mut name = clear_of_compilers(format!("{}{}", ascii(name), self.suffix()));
         if reserved::is_a_printed_function(&name) {
             name.push('_');
@@ -90,7 +90,7 @@ pub(super) fn suffixed(solver: &Ident, action: &str, width: Width) -> String {
 }
 
 /// `FlyingShear` as `flying_shear`, `RRRDyad` as `rrr_dyad`.
-pub(in crate::codegen) fn snake_case(name: &str) -> String {
+pub fn snake_case(name: &str) -> String {
     let letters: Vec<char> = name.chars().collect();
     let mut snake = String::new();
     for (i, letter) in letters.iter().enumerate() {
@@ -108,16 +108,13 @@ pub(in crate::codegen) fn snake_case(name: &str) -> String {
 
 /// The name of a mechanism's files without their ending: that of its functions, and a longer one where it is another
 /// header's.
-pub(in crate::codegen) fn file_stem(solver: &str) -> String {
+pub fn file_stem(solver: &str) -> String {
     let stem = snake_case(solver);
     if reserved::is_file(&stem) { format!("{stem}_mechanism") } else { stem }
 }
 
 /// The names of a record's fields or a function's arguments: different, and none a keyword or a macro.
-pub(in crate::codegen) fn distinct(
-    solver: &Ident,
-    names: impl IntoIterator<Item = String>,
-) -> Vec<String> {
+pub fn distinct(solver: &Ident, names: impl IntoIterator<Item = String>) -> Vec<String> {
     let own = own_macros(&text(solver));
     let mut taken = HashSet::new();
     let free = |name: String| {
@@ -132,7 +129,7 @@ pub(in crate::codegen) fn distinct(
 
 /// The names of the arguments of a function, which also hide none of the functions that it calls: first those that
 /// are always there, to which others give way.
-pub(in crate::codegen) fn arguments(
+pub fn arguments(
     solver: &Ident,
     fixed: [&str; 3],
     others: impl Iterator<Item = String>,
@@ -164,96 +161,4 @@ pub(in crate::codegen) fn ascii(name: &str) -> String {
         false => format!("u{:04x}", u32::from(letter)),
     };
     name.chars().map(letter).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_type_name_becomes_the_start_of_function_names() {
-        for (name, snake) in [
-            ("FlyingShear", "flying_shear"),
-            ("FourBar2", "four_bar2"),
-            ("Stage2Ram", "stage2_ram"),
-            ("RRRDyad", "rrr_dyad"),
-            ("Ω", "u03c9"),
-        ] {
-            assert_eq!(snake_case(name), snake);
-        }
-    }
-
-    fn solver() -> Ident {
-        Ident::new("Press", proc_macro2::Span::call_site())
-    }
-
-    #[test]
-    fn names_that_c_reserves_or_that_meet_get_a_tail() {
-        for (name, tailed) in [
-            ("int", "int_"),
-            ("int_", "int__"),
-            ("BC", "BC"),
-            ("θ", "u03b8"),
-            ("xor_eq", "xor_eq_"),
-            ("do", "do_"),
-            ("NAN", "NAN_"),
-            ("NULL", "NULL_"),
-            ("linux", "linux_"),
-            ("DEC64_MAX", "DEC64_MAX_"),
-            ("FLT32X_SNAN", "FLT32X_SNAN_"),
-            ("FLTR_1", "FLTR_1"),
-            ("near", "near_"),
-            ("_B", "c_B"),
-            ("__unix__", "c__unix__"),
-            ("LinkagePoint", "LinkagePoint_"),
-            ("PRESS_INPUTS", "PRESS_INPUTS_"),
-            ("PRESS_H", "PRESS_H_"),
-            ("PRESS_DECLARATION", "PRESS_DECLARATION_"),
-            ("LEVER_INPUTS", "LEVER_INPUTS"),
-            // Macros that are called stand for themselves elsewhere, and so do functions.
-            ("isnan", "isnan"),
-            ("sin", "sin"),
-        ] {
-            let names = ["int", name].map(str::to_string);
-            let names = if name == "int" { &names[1..] } else { &names[..] };
-            let names = distinct(&solver(), names.to_vec());
-            assert_eq!(names.last().expect("there is one"), tailed);
-        }
-    }
-
-    #[test]
-    fn arguments_hide_no_function() {
-        let inputs = ["press_velocity", "press_origin", "linkage_sin_cos", "press_angle", "error"];
-        let fixed = ["mechanism", "position", "error"];
-        let names = arguments(&solver(), fixed, inputs.into_iter().map(str::to_string));
-        assert_eq!(names[..3], fixed);
-        let tailed =
-            ["press_velocity_", "press_origin_", "linkage_sin_cos_", "press_angle", "error_"];
-        assert_eq!(names[3..], tailed);
-    }
-
-    #[test]
-    fn types_and_files_are_clear_of_others() {
-        let [double, single] = Width::ALL.map(|width| move |name| width.type_name(name));
-        for (name, types) in [
-            ("FourBar", ["FourBar", "FourBarF32"]),
-            ("LinkagePoint", ["LinkagePoint_", "LinkagePointF32_"]),
-            ("HUGE_VAL", ["HUGE_VAL_", "HUGE_VALF32"]),
-            ("HUGE_VAL_", ["HUGE_VAL_", "HUGE_VAL_F32_"]),
-            ("sin", ["sin_", "sinF32"]),
-            ("timespec", ["timespec_", "timespecF32"]),
-            ("fmi3Clock", ["fmi3Clock_", "fmi3ClockF32_"]),
-        ] {
-            assert_eq!([double(name), single(name)], types);
-        }
-        for (name, stem) in [
-            ("FourBar", "four_bar"),
-            ("Math", "math_mechanism"),
-            ("LinkageRun", "linkage_run_mechanism"),
-            ("Fmi3", "fmi3_mechanism"),
-            ("Aux", "aux_mechanism"),
-        ] {
-            assert_eq!(file_stem(name), stem);
-        }
-    }
 }

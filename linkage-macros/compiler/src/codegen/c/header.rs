@@ -17,13 +17,13 @@ use crate::interface::{Interface, labels};
 use crate::model::mechanism::{Mechanism, Param, ParamKind};
 
 /// The part that all headers share: status codes, modes and the records that outputs are made of.
-pub(in crate::codegen) const SHARED: &str = include_str!("linkage.h");
+pub const SHARED: &str = include_str!("linkage.h");
 
 /// The records that forces are made of, where they are asked for.
 const FORCES: &str = include_str!("forces.h");
 
 /// The status of mechanisms in which something is searched.
-pub(in crate::codegen) const NO_SOLUTION: &str = "\
+pub const NO_SOLUTION: &str = "\
 /* The unknown `name` has no solution of its mode between its ends; `by` is left of its equation. */
 #define LINKAGE_NO_SOLUTION 8
 /* The equation of `name` has several dead points between its ends: narrow the interval. */
@@ -32,14 +32,14 @@ pub(in crate::codegen) const NO_SOLUTION: &str = "\
 ";
 
 /// The status of mechanisms in which something rubs.
-pub(in crate::codegen) const JAMS: &str = "\
+pub const JAMS: &str = "\
 /* Friction may hold itself at the joint `name`. */
 #define LINKAGE_JAMS 10
 
 ";
 
 /// The status of mechanisms in which a group is solved by all its unknowns at once.
-pub(in crate::codegen) const NOT_CERTIFIED: &str = "\
+pub const NOT_CERTIFIED: &str = "\
 /* The group was not followed so far from the drawing. */
 #define LINKAGE_NOT_CERTIFIED 12
 

@@ -4,19 +4,19 @@
 //! once as the fast path compares, once as the slow path diagnoses. Names of our own inside a function have a
 //! capital letter or no underscore at their end, which no local of a routine has.
 
-pub(in crate::codegen) mod c_identifiers;
+pub mod c_identifiers;
 mod c_names;
 mod entry;
 pub(crate) mod fmu;
-pub(in crate::codegen) mod header;
+pub mod header;
 mod in_c;
 pub(crate) mod printed_list;
-pub(crate) mod provenance;
+pub mod provenance;
 mod public_function;
 mod reserved;
 mod roots;
-pub(crate) mod run_time;
-pub(crate) mod selection;
+pub mod run_time;
+pub mod selection;
 pub(crate) mod transfers;
 mod two_paths;
 
@@ -33,7 +33,7 @@ use crate::model::mechanism::Mechanism;
 /// Prints the files of a mechanism: name and text of its header and its source, then those of the run-time, which
 /// holds the search for roots where something is searched, and that for friction where amounts of it depend on each
 /// other.
-pub(crate) fn generate(
+pub fn generate(
     mechanism: &Mechanism,
     lowered: &Lowered<'_>,
     selection: &Selection,

@@ -16,11 +16,11 @@ pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The word in front of the names of a supplier's types, functions and files.
 #[derive(Clone, Default)]
-pub(crate) struct Prefix(String);
+pub struct Prefix(String);
 
 impl Prefix {
     /// The prefix of this text: letters and digits behind a letter, in words that `_` parts; nothing else is one.
-    pub(crate) fn new(text: &str) -> Option<Self> {
+    pub fn new(text: &str) -> Option<Self> {
         let is_word = |word: &str| {
             !word.is_empty() && word.chars().all(|letter| letter.is_ascii_alphanumeric())
         };
@@ -30,18 +30,18 @@ impl Prefix {
     }
 
     /// `Arm` as `AcmeArm`.
-    pub(crate) fn named(&self, solver: &Ident) -> Ident {
+    pub fn named(&self, solver: &Ident) -> Ident {
         Ident::new(&format!("{}{}", in_capitals(&self.0), text(solver)), solver.span())
     }
 
     /// The name of a file of the run-time, or of a function.
-    pub(in crate::codegen) fn in_front_of(&self, name: &str) -> String {
+    pub fn in_front_of(&self, name: &str) -> String {
         if self.0.is_empty() { name.to_string() } else { format!("{}_{name}", self.0) }
     }
 
     /// A source with the prefix in front of the run-time's functions and files. Fields keep their names, and so does
     /// what stands in a text.
-    pub(in crate::codegen) fn put_into(&self, source: &str) -> String {
+    pub fn put_into(&self, source: &str) -> String {
         if self.0.is_empty() {
             return source.to_string();
         }
@@ -80,7 +80,7 @@ const GUARDS: [&str; 4] =
     ["LINKAGE_RUN_H", "LINKAGE_WORDS", "LINKAGE_ASSEMBLIES_H", "LINKAGE_LISTS_HASH"];
 
 /// A number that tells declarations apart: 64 bits of FNV-1a over their words, whatever the layout and the comments.
-pub(crate) fn hash(declaration: &TokenStream) -> u64 {
+pub fn hash(declaration: &TokenStream) -> u64 {
     let mut words = String::new();
     put_words(declaration, &mut words);
     run_time::fnv(words.bytes())
@@ -100,7 +100,7 @@ fn put_words(tokens: &TokenStream, to: &mut String) {
 }
 
 /// The origin of one mechanism's files.
-pub(crate) struct Provenance<'a> {
+pub struct Provenance<'a> {
     pub mechanism: &'a Mechanism,
     pub declaration: u64,
     pub prefix: Prefix,
@@ -175,57 +175,5 @@ impl Provenance<'_> {
             stem.to_uppercase(),
             drawn.collect::<Vec<_>>().join(", ")
         )
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_prefix_is_words_of_letters_and_digits() {
-        for text in ["acme", "Acme2", "acme_left_arm"] {
-            assert!(Prefix::new(text).is_some(), "{text}");
-        }
-        for text in ["", "2x", "acme_", "_acme", "a__b", "a-b", "größe", "a b"] {
-            assert!(Prefix::new(text).is_none(), "{text}");
-        }
-        let arm = Ident::new("Arm", proc_macro2::Span::call_site());
-        let prefix = Prefix::new("acme_left").expect("it is one");
-        assert_eq!(prefix.named(&arm), "AcmeLeftArm");
-        assert_eq!(Prefix::default().named(&arm), "Arm");
-    }
-
-    #[test]
-    fn functions_and_files_of_the_run_time_are_renamed_alone() {
-        let prefix = Prefix::new("acme").expect("it is one");
-        for (before, after) in [
-            ("x = linkage_sqrt(y);", "x = acme_linkage_sqrt(y);"),
-            ("#include \"linkage_run.h\"\n", "#include \"acme_linkage_run.h\"\n"),
-            ("to->linkage_x = a.linkage_x;", "to->linkage_x = a.linkage_x;"),
-            ("name = \"linkage_x\\\"\"; linkage_why", "name = \"linkage_x\\\"\"; acme_linkage_why"),
-            ("\"\\\\\"; linkage_why(\"linkage_\")", "\"\\\\\"; acme_linkage_why(\"linkage_\")"),
-            ("#ifndef LINKAGE_WORDS", "#ifndef ACME_LINKAGE_WORDS"),
-            ("my_linkage_x LINKAGE_OK LinkageWhy", "my_linkage_x LINKAGE_OK LinkageWhy"),
-        ] {
-            assert_eq!(prefix.put_into(before), after);
-            assert_eq!(Prefix::default().put_into(before), before);
-        }
-    }
-
-    #[test]
-    fn layout_and_comments_change_no_hash() {
-        let of = |text: &str| hash(&text.parse().expect("these are tokens"));
-        let plain = of("struct Crank { input t: angle; length: 2 }");
-        assert_eq!(of("struct Crank {\n  // A crank.\n  input t : angle ; length:2 }"), plain);
-        for other in [
-            "struct Crank { input t: angle; length: 3 }",
-            "struct Crank { input t: angle; length: 2.0 }",
-            "struct Crank { input t: angle; } length: 2",
-            "struct Crank ( input t: angle; length: 2 )",
-            "struct Crank { input t: angle; -length: 2 }",
-        ] {
-            assert_ne!(of(other), plain, "{other}");
-        }
     }
 }

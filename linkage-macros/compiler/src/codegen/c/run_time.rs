@@ -47,7 +47,7 @@ fn conditional(source: &str) -> String {
 const INCLUDE: &str = "#include \"linkage_run.h\"\n";
 
 /// The text of `linkage_run.h`.
-pub(crate) fn header() -> String {
+pub fn header() -> String {
     hashed(&plain_header())
 }
 
@@ -85,7 +85,7 @@ pub(super) const WORDS: &str = include_str!("run/words.h");
 const ROOTS: &str = "/* Roots. */\n";
 
 /// The text of `linkage_root.c`, which is printed where something is searched.
-pub(crate) fn root_source() -> String {
+pub fn root_source() -> String {
     conditional(&plain_root())
 }
 
@@ -109,7 +109,7 @@ fn plain_root() -> String {
 
 /// The text of `linkage_friction.c`, which is printed where joints rub. What is found without a branch is found in
 /// either width, and anything else in double precision, or in pairs of floats where there is none.
-pub(crate) fn friction_source() -> String {
+pub fn friction_source() -> String {
     conditional(&plain_friction())
 }
 
@@ -129,7 +129,7 @@ fn plain_friction() -> String {
 }
 
 /// The text of `linkage_run.c`.
-pub(crate) fn source() -> String {
+pub fn source() -> String {
     conditional(plain_source())
 }
 

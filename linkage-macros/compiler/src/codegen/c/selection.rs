@@ -10,7 +10,7 @@ use crate::lower::stands_on;
 use crate::model::mechanism::Mechanism;
 
 /// Entry points and widths.
-pub(crate) struct Selection {
+pub struct Selection {
     points: Vec<EntryPoint>,
     pub widths: Vec<Width>,
 }
@@ -18,7 +18,7 @@ pub(crate) struct Selection {
 impl Selection {
     /// The selection among the entry points that a program answers, by their names, `f64` and `f32`; all of those
     /// that no name tells. Reports names that are none.
-    pub(crate) fn of(
+    pub fn of(
         mechanism: &Mechanism,
         program: &Program,
         only: &[&str],
@@ -54,7 +54,7 @@ impl Selection {
     }
 
     /// The program without the answers of other entry points.
-    pub(crate) fn apply(&self, program: Program) -> Program {
+    pub fn apply(&self, program: Program) -> Program {
         let is_selected = |point: EntryPoint| self.points.contains(&point);
         let answers = program.answers.into_iter();
         let answers = answers.filter(|answer| answer.entry.is_none_or(is_selected)).collect();

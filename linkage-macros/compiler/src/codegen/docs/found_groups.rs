@@ -21,7 +21,7 @@ use crate::model::modes::PARALLEL;
 use crate::syntax::anatomy::{GroupSpec, Modes};
 
 /// The words of the author, and the groups that were found.
-pub(crate) fn all_docs(mechanism: &Mechanism) -> Vec<Attribute> {
+pub fn all_docs(mechanism: &Mechanism) -> Vec<Attribute> {
     let found = lines(mechanism);
     let found = found.iter().map(|line| parse_quote!(#[doc = #line]));
     mechanism.docs.iter().cloned().chain(found).collect()

@@ -1,10 +1,10 @@
 //! The documentation of the generated code: the meaning, the unit, the source and the cost of each item. The
 //! user's own doc comments come first.
 
-pub(super) mod costs_in_words;
-pub(super) mod doc_comments;
+pub mod costs_in_words;
+pub mod doc_comments;
 pub(super) mod force_docs;
-pub(crate) mod found_groups;
+pub mod found_groups;
 mod groups_in_words;
 mod numbers_as_declared;
 mod powers_of_lengths;

@@ -19,7 +19,7 @@ mod in_rust;
 mod input_records;
 mod module;
 mod parameters;
-pub(super) mod paths;
+pub mod paths;
 mod results;
 pub(super) mod root_functions;
 mod slow_path;

@@ -25,7 +25,7 @@ pub(in crate::codegen) struct Paths {
 }
 
 /// The items of `private::names`: types, traits and variants that most mechanisms need.
-pub(in crate::codegen) const IMPORTED: [&str; 47] = [
+pub const IMPORTED: [&str; 47] = [
     "AllMet",
     "AngularAcceleration",
     "AngularVelocity",

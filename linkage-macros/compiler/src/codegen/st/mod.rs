@@ -7,7 +7,7 @@
 
 mod block;
 mod in_st;
-mod st_names;
+pub mod st_names;
 mod st_run_time;
 mod types;
 

@@ -104,7 +104,7 @@ fn equations_of<'s>(kinematics: &Kinematics<'s>) -> Equations<'s> {
 }
 
 /// The error of T_j in units of 16 ε of it, given the terms of a mass and the inputs.
-pub(in crate::equations) fn share_of_a_pivot(terms: usize, inputs: usize) -> i64 {
+pub fn share_of_a_pivot(terms: usize, inputs: usize) -> i64 {
     (36 + 3 * terms + 4 * inputs).div_ceil(32) as i64
 }
 
@@ -114,7 +114,7 @@ fn without_second_rates<'s>(kinematics: &Kinematics<'s>) -> Kinematics<'s> {
 }
 
 /// True if there are masses and no input is known to move none of them.
-pub(in crate::equations) fn every_input_moves_mass(kinematics: &Kinematics<'_>) -> bool {
+pub fn every_input_moves_mass(kinematics: &Kinematics<'_>) -> bool {
     let unit = |input| at_unit_rate(kinematics, input);
     let moves = |input| {
         let unit = unit(input);
@@ -124,7 +124,7 @@ pub(in crate::equations) fn every_input_moves_mass(kinematics: &Kinematics<'_>) 
 }
 
 /// The mass matrix column by column, then the forces.
-pub(in crate::equations) fn equations(kinematics: &Kinematics<'_>) -> Vec<Id> {
+pub fn equations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     let Equations { mass, force, .. } = equations_of(kinematics);
     mass.concat().into_iter().chain(force).map(|number| number.id).collect()
 }

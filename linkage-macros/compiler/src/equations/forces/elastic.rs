@@ -2,8 +2,8 @@
 //!
 //! Each of them has a file, and a row in [`EVERY`]. What asks for all that acts knows none by itself.
 
-pub(in crate::equations) mod springs;
-pub(super) mod stops;
+pub mod springs;
+pub mod stops;
 
 use crate::equations::kinematics::Kinematics;
 use crate::equations::symbol::{Sym, Vector};

@@ -43,8 +43,7 @@ use amount::Row;
 pub(super) use by_load::walked as walked_by_load;
 pub(super) use forward::accelerations;
 pub(in crate::equations) use forward::is_offered;
-#[cfg(test)]
-pub(in crate::equations) use system::amounts_of;
+pub use system::amounts_of;
 use system::solved;
 
 /// The place of a contact in the group whose reactions press it.
@@ -104,7 +103,7 @@ fn pressed<'s>(walk: &Walk<'_, 's>, contacts: &[Rubbing<'s>]) -> Vec<[Sym<'s>; 2
 }
 
 /// The slip of the link against the other body, and its rate.
-pub(in crate::equations) fn slip<'s>(state: &Kinematics<'s>, contact: Contact) -> [Sym<'s>; 2] {
+pub fn slip<'s>(state: &Kinematics<'s>, contact: Contact) -> [Sym<'s>; 2] {
     if RigidBodies::of(state.mechanism).hold(state.mechanism, contact) {
         return [state.builder.zero(); 2];
     }
@@ -224,7 +223,7 @@ impl<'k, 's> Walk<'k, 's> {
         }
     }
 
-    fn slip(&self, contact: Contact) -> [Sym<'s>; 2] {
+    pub fn slip(&self, contact: Contact) -> [Sym<'s>; 2] {
         slip(self.slipping(), contact)
     }
 

@@ -60,23 +60,21 @@ mod walk;
 
 use std::collections::HashMap;
 
-use crate::equations::forces::elastic::{springs, stops};
+pub use crate::equations::forces::elastic::{springs, stops};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::{Sym, Vector};
 use crate::ir::graph::Id;
 use crate::model::acting::Effort;
 use crate::model::mechanism::{Carrier, LinkId, PointId, Scalar};
 
-#[cfg(test)]
-pub(super) use dynamics::share_of_a_pivot;
-pub(super) use dynamics::{equations, every_input_moves_mass};
+pub use dynamics::share_of_a_pivot;
+pub use dynamics::{equations, every_input_moves_mass};
 pub(super) use friction::is_offered as is_known_beside_friction;
-#[cfg(test)]
-pub(super) use friction::{amounts_of, slip};
+pub use friction::{amounts_of, slip};
 pub(super) use pull::work as work_of_the_load;
 pub(super) use together::centre_of_mass;
 use walk::Rubs;
-pub(super) use walk::Walk;
+pub use walk::Walk;
 
 /// The forces that statements put on points.
 pub(super) fn declared<'s>(kinematics: &Kinematics<'s>) -> Vec<(PointId, Vector<'s>)> {
@@ -95,7 +93,7 @@ pub(super) fn couples_on_links<'s>(kinematics: &Kinematics<'s>) -> Vec<(LinkId, 
 }
 
 /// Values of the entry point `forces`, in the order of the requests.
-pub(super) fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
+pub fn in_motion(kinematics: &Kinematics<'_>) -> Vec<Id> {
     if rubs_under_a_load(kinematics) {
         return friction::walked_by_load(kinematics, Rubs::Slipping, |walk, _| by_walk(walk));
     }
@@ -154,7 +152,7 @@ fn of_power<'s>(kinematics: &Kinematics<'s>, effort: Effort) -> Vec<Sym<'s>> {
 }
 
 /// Kinetic and potential energy, where they are given.
-pub(super) fn energy(kinematics: &Kinematics<'_>) -> Vec<Id> {
+pub fn energy(kinematics: &Kinematics<'_>) -> Vec<Id> {
     match kinematics.mechanism.dynamics.energy {
         true => together::energy(kinematics).map(|part| part.id).into(),
         false => Vec::new(),
@@ -186,7 +184,7 @@ pub(super) fn at_rest(kinematics: &Kinematics<'_>) -> Vec<Id> {
 }
 
 /// The accelerations of the inputs under given drives.
-pub(super) fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
+pub fn accelerations(kinematics: &Kinematics<'_>) -> Vec<Id> {
     match kinematics.mechanism.dynamics.frictions.is_empty() {
         true => dynamics::accelerations(kinematics),
         false => friction::accelerations(kinematics),

@@ -21,7 +21,7 @@ use crate::model::acting::Effort;
 use crate::model::mechanism::{Body, Carrier, GuideId, InputId, Joint, LinkId, PointId, UnknownId};
 
 /// Loads gathered on the way, and efforts found so far.
-pub(in crate::equations) struct Walk<'k, 's> {
+pub struct Walk<'k, 's> {
     pub(super) kinematics: &'k Kinematics<'s>,
     /// By link, about its origin.
     pub(super) links: Vec<Acting<'s>>,
@@ -30,7 +30,7 @@ pub(in crate::equations) struct Walk<'k, 's> {
     /// By guide, about its origin: what the links on it put on it.
     guides: Vec<Acting<'s>>,
     /// About the ground's origin; nothing asks for it but tests.
-    pub(in crate::equations) ground: Acting<'s>,
+    pub ground: Acting<'s>,
     /// The forces along their guides that transmission puts on links that slide.
     slides: HashMap<LinkId, Sym<'s>>,
     /// The forces along their guides that slides of groups transmit, all of them together.
@@ -49,9 +49,9 @@ pub(in crate::equations) struct Walk<'k, 's> {
     /// That of the state whose slips count, as soon as a joint asks for it.
     pub(super) rounding: OnceCell<SlipRounding<'s>>,
     /// The power that friction takes.
-    pub(in crate::equations) losses: Sym<'s>,
+    pub losses: Sym<'s>,
     /// The amount of friction, by its index.
-    pub(in crate::equations) amounts: HashMap<usize, Sym<'s>>,
+    pub amounts: HashMap<usize, Sym<'s>>,
     /// The same in the direction of the slip.
     pub(super) braking: HashMap<usize, Sym<'s>>,
 }
@@ -70,15 +70,12 @@ pub(super) enum Rubs<'k, 's> {
 }
 
 impl<'k, 's> Walk<'k, 's> {
-    pub(in crate::equations) fn of(kinematics: &'k Kinematics<'s>) -> Self {
+    pub fn of(kinematics: &'k Kinematics<'s>) -> Self {
         Self::against(kinematics, Rubs::Slipping)
     }
 
     /// At rest, with friction against the slips of a creep.
-    pub(in crate::equations) fn creeping(
-        resting: &'k Kinematics<'s>,
-        creeping: &'k Kinematics<'s>,
-    ) -> Self {
+    pub fn creeping(resting: &'k Kinematics<'s>, creeping: &'k Kinematics<'s>) -> Self {
         Self::against(resting, Rubs::Creeping(creeping))
     }
 
@@ -135,7 +132,7 @@ impl<'k, 's> Walk<'k, 's> {
     }
 
     /// Components of an effort that the walk has found.
-    pub(in crate::equations) fn components(&self, effort: Effort) -> Vec<Sym<'s>> {
+    pub fn components(&self, effort: Effort) -> Vec<Sym<'s>> {
         let zero = self.builder().zero_vector();
         match effort {
             Effort::Input(input) => vec![self.efforts[input.index()]],
@@ -168,13 +165,12 @@ impl<'k, 's> Walk<'k, 's> {
     }
 
     /// Everything that was found but for sums over several links.
-    #[cfg(test)]
-    pub(in crate::equations) fn found(&self) -> impl Iterator<Item = (Effort, &[Sym<'s>])> {
+    pub fn found(&self) -> impl Iterator<Item = (Effort, &[Sym<'s>])> {
         self.found.iter().map(|(&effort, numbers)| (effort, &numbers[..]))
     }
 
     /// By input.
-    pub(in crate::equations) fn input_efforts(&self) -> &[Sym<'s>] {
+    pub fn input_efforts(&self) -> &[Sym<'s>] {
         &self.efforts
     }
 

@@ -63,7 +63,7 @@ fn turned_input(graph: &Graph, node: Node) -> Option<u32> {
 
 impl Values<'_> {
     /// Takes the thresholds away of the guards that hold on every arc, of those of which this is worth knowing.
-    pub(in crate::lower) fn leave_out_those_of_every_arc(
+    pub fn leave_out_those_of_every_arc(
         &self,
         limits: &Assumed,
         asked: &mut AskedSizes,

@@ -12,11 +12,11 @@
 //! the rules of declared groups, so that there is one meaning of everything. A group may have a slide or a drive the other way round, or
 //! measure it from elsewhere: `group_frames` says so, and `drawn_joints` tells the mechanism.
 
-mod drive_equations;
+pub mod drive_equations;
 mod group_frames;
 mod outline;
 mod outlined;
-mod reading;
+pub mod reading;
 pub(super) mod writing;
 
 use crate::model::drawn_bodies::Outline;
@@ -34,7 +34,7 @@ use super::mechanism::Mechanism;
 use outline::bodies::Bodies;
 use reading::reader::Reader;
 use reading::values::Measured;
-pub(crate) use reading::values::value as value_at_defaults;
+pub use reading::values::value as value_at_defaults;
 use writing::sorted::Written;
 
 /// A drawing as groups.

@@ -54,7 +54,7 @@ pub(crate) fn load_does_no_work(
 
 impl Dynamics {
     /// The input that a load drives, and the load.
-    pub(crate) fn driven(&self) -> Option<(InputId, &Load)> {
+    pub fn driven(&self) -> Option<(InputId, &Load)> {
         Some((self.pulled?, self.pull.as_ref()?))
     }
 }

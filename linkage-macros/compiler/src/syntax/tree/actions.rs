@@ -6,7 +6,7 @@ use super::{Expr, GroupStatement};
 
 /// A mass or an action.
 #[derive(Clone)]
-pub(crate) enum Action {
+pub enum Action {
     Gravity(GravityStatement),
     Mass(MassStatement),
     Inertia(InertiaStatement),
@@ -28,21 +28,21 @@ impl Action {
 
 /// `load cut: force;`; without a kind only after a mistake.
 #[derive(Clone)]
-pub(crate) struct LoadStatement {
+pub struct LoadStatement {
     pub names: Vec<Ident>,
     pub kind: Option<Ident>,
 }
 
 /// `gravity (0, -g);` and where it stands.
 #[derive(Clone)]
-pub(crate) struct GravityStatement {
+pub struct GravityStatement {
     pub at: Span,
     pub value: [Expr; 2],
 }
 
 /// `mass 2kg on BC at G inertia 0.1(kg*m^2);`
 #[derive(Clone)]
-pub(crate) struct MassStatement {
+pub struct MassStatement {
     pub value: Expr,
     pub on: Ident,
     pub place: MassSite,
@@ -51,14 +51,14 @@ pub(crate) struct MassStatement {
 
 /// `inertia J on AB;`
 #[derive(Clone)]
-pub(crate) struct InertiaStatement {
+pub struct InertiaStatement {
     pub value: Expr,
     pub on: Ident,
 }
 
 /// `force (0, -f) in BC on P;`
 #[derive(Clone)]
-pub(crate) struct ForceStatement {
+pub struct ForceStatement {
     pub value: [Expr; 2],
     pub axes: Option<Ident>,
     pub on: Ident,
@@ -66,21 +66,21 @@ pub(crate) struct ForceStatement {
 
 /// `force f between P and Q;`
 #[derive(Clone)]
-pub(crate) struct ForceBetweenStatement {
+pub struct ForceBetweenStatement {
     pub value: Expr,
     pub points: [Ident; 2],
 }
 
 /// `torque t on DC;`
 #[derive(Clone)]
-pub(crate) struct TorqueStatement {
+pub struct TorqueStatement {
     pub value: Expr,
     pub on: Ident,
 }
 
 /// `torque t between AB and DC;`
 #[derive(Clone)]
-pub(crate) struct TorqueBetweenStatement {
+pub struct TorqueBetweenStatement {
     pub value: Expr,
     pub bodies: [Ident; 2],
 }
@@ -88,7 +88,7 @@ pub(crate) struct TorqueBetweenStatement {
 /// `spring shock between P and Q { stiffness: 15(N/m), free_length: 0.3m }`: two points, or two bodies.
 /// Its fields are read like those of a group.
 #[derive(Clone)]
-pub(crate) struct SpringStatement {
+pub struct SpringStatement {
     pub name: Option<Ident>,
     pub ends: [Ident; 2],
     pub fields: GroupStatement,
@@ -97,7 +97,7 @@ pub(crate) struct SpringStatement {
 /// `stop DC.angle between (20deg, 110deg) { stiffness: 2e4(N*m/rad) }`, with or without a name. Its fields are read like
 /// those of a group.
 #[derive(Clone)]
-pub(crate) struct StopStatement {
+pub struct StopStatement {
     pub name: Option<Ident>,
     pub of: Expr,
     pub ends: [Expr; 2],
@@ -106,7 +106,7 @@ pub(crate) struct StopStatement {
 
 /// `friction 0.1 at C radius 8mm;`, at a pin or a guide, and where its word stands.
 #[derive(Clone)]
-pub(crate) struct FrictionStatement {
+pub struct FrictionStatement {
     pub at: Span,
     pub coefficient: Expr,
     pub site: FrictionSite,
@@ -117,7 +117,7 @@ pub(crate) struct FrictionStatement {
 
 /// The joint that has friction.
 #[derive(Clone)]
-pub(crate) enum FrictionSite {
+pub enum FrictionSite {
     /// `at C`
     Pin(Ident),
     /// `on BC at C`
@@ -130,7 +130,7 @@ pub(crate) enum FrictionSite {
 
 /// Where a mass is.
 #[derive(Clone)]
-pub(crate) enum MassSite {
+pub enum MassSite {
     /// Nothing is said: the mass is on a point.
     Here,
     /// `at (x, y)` in the link's frame.

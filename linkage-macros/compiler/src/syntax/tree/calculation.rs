@@ -5,17 +5,17 @@ use proc_macro2::Ident;
 use crate::diagnostics::Extent;
 
 /// A unit and its power.
-pub(crate) type UnitPower = (String, i32);
+pub type UnitPower = (String, i32);
 
 #[derive(Clone)]
-pub(crate) struct Expr {
+pub struct Expr {
     pub kind: ExprKind,
     /// From the first to the last token.
     pub span: Extent,
 }
 
 #[derive(Clone)]
-pub(crate) enum ExprKind {
+pub enum ExprKind {
     /// The digits as written (underscores removed) and the powers of units behind them, none where
     /// the number is bare. Letters behind the digits that are no unit stand there too.
     Number {
@@ -103,7 +103,7 @@ impl Expr {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum BinaryOp {
+pub enum BinaryOp {
     Add,
     Sub,
     Mul,

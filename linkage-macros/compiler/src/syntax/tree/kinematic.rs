@@ -6,7 +6,7 @@ use super::Expr;
 
 /// `input s, x: length;` or `input a = AB.angle, x = tool.x;`.
 #[derive(Clone)]
-pub(crate) struct InputStatement {
+pub struct InputStatement {
     pub names: Vec<Ident>,
     /// The word after the colon; where there is none, the inputs are quantities, or the kind is a mistake.
     pub kind: Option<Ident>,
@@ -16,21 +16,21 @@ pub(crate) struct InputStatement {
 
 /// `input hand { x = tool.x, y = tool.y }`
 #[derive(Clone)]
-pub(crate) struct InputSetStatement {
+pub struct InputSetStatement {
     pub name: Ident,
     pub coordinates: Vec<SetCoordinate>,
 }
 
 /// `x = tool.x`; without a quantity where another set says it.
 #[derive(Clone)]
-pub(crate) struct SetCoordinate {
+pub struct SetCoordinate {
     pub name: Ident,
     pub of: Option<Expr>,
 }
 
 /// `param l = 632mm;` or `param elbow: mode = left;`.
 #[derive(Clone)]
-pub(crate) struct ParamStatement {
+pub struct ParamStatement {
     pub name: Ident,
     /// The word after the colon.
     pub kind: Option<Ident>,
@@ -39,14 +39,14 @@ pub(crate) struct ParamStatement {
 
 /// `let half = l / 2;`
 #[derive(Clone)]
-pub(crate) struct LetStatement {
+pub struct LetStatement {
     pub name: Ident,
     pub value: Expr,
 }
 
 /// `unknown theta: angle between (10deg, 170deg);`; without a kind or ends only after a mistake.
 #[derive(Clone)]
-pub(crate) struct UnknownStatement {
+pub struct UnknownStatement {
     pub name: Ident,
     pub kind: Option<Ident>,
     pub between: Option<[Expr; 2]>,
@@ -54,33 +54,33 @@ pub(crate) struct UnknownStatement {
 
 /// `ground A(0, 0), D(…);`
 #[derive(Clone)]
-pub(crate) struct GroundStatement {
+pub struct GroundStatement {
     pub points: Vec<(Ident, [Expr; 2])>,
 }
 
 /// `pin B(80mm, 0), C(600mm, 360mm);`
 #[derive(Clone)]
-pub(crate) struct PinStatement {
+pub struct PinStatement {
     pub points: Vec<(Ident, [Expr; 2])>,
 }
 
 /// `link AB(A, B), block(Q) on slot;` or `link lift(F, G) { length: s }`
 #[derive(Clone)]
-pub(crate) struct LinkStatement {
+pub struct LinkStatement {
     pub links: Vec<DrawnLink>,
     pub fields: Option<GroupStatement>,
 }
 
 /// `drive theta by pull;`: the load that puts in the effort of an input.
 #[derive(Clone)]
-pub(crate) struct DriveByStatement {
+pub struct DriveByStatement {
     pub input: Ident,
     pub load: Ident,
 }
 
 /// `guide slot on BC through P towards C;`
 #[derive(Clone)]
-pub(crate) struct GuideStatement {
+pub struct GuideStatement {
     pub name: Ident,
     pub on: Option<Ident>,
     pub through: GuideAnchor,
@@ -89,7 +89,7 @@ pub(crate) struct GuideStatement {
 
 /// `point P on BC at …;`
 #[derive(Clone)]
-pub(crate) struct PointStatement {
+pub struct PointStatement {
     pub name: Ident,
     pub on: Option<Ident>,
     pub place: PointPlace,
@@ -97,7 +97,7 @@ pub(crate) struct PointStatement {
 
 /// `output blade, DC.angle, fold = BC.angle - DC.angle;`
 #[derive(Clone)]
-pub(crate) struct OutputStatement {
+pub struct OutputStatement {
     pub items: Vec<OutputItem>,
     /// True if these stand beside what is asked for elsewhere, or beside all where nothing is.
     pub is_beside: bool,
@@ -105,25 +105,25 @@ pub(crate) struct OutputStatement {
 
 /// `numerics compensated;`
 #[derive(Clone)]
-pub(crate) struct NumericsStatement {
+pub struct NumericsStatement {
     pub mode: Ident,
 }
 
 /// `crate = ::path;`: where `linkage-core` is found.
 #[derive(Clone)]
-pub(crate) struct CrateStatement {
+pub struct CrateStatement {
     pub path: syn::Path,
 }
 
 /// `export c;` or `export assemblies;`
 #[derive(Clone)]
-pub(crate) struct ExportStatement {
+pub struct ExportStatement {
     pub what: Ident,
 }
 
 /// `rrr BC(B), DC(D) -> C { lengths: (632mm, 374mm), mode: left }`.
 #[derive(Clone)]
-pub(crate) struct GroupStatement {
+pub struct GroupStatement {
     /// `crank`, `slider`, `rrr`, …; not yet known to be one of them.
     pub keyword: Ident,
     pub legs: Vec<Leg>,
@@ -140,7 +140,7 @@ pub(crate) struct GroupStatement {
 
 /// `BC(B, C, blade) on slot`: a body through pins, rigid as it is drawn.
 #[derive(Clone)]
-pub(crate) struct DrawnLink {
+pub struct DrawnLink {
     pub name: Ident,
     pub pins: Vec<Ident>,
     /// The guides on which it slides without turning.
@@ -149,7 +149,7 @@ pub(crate) struct DrawnLink {
 
 /// `drive BC.angle - AB.angle = theta;`.
 #[derive(Clone)]
-pub(crate) struct DriveStatement {
+pub struct DriveStatement {
     pub link: Ident,
     /// `angle` or `slide`; not yet known to be one of them.
     pub member: Ident,
@@ -162,7 +162,7 @@ pub(crate) struct DriveStatement {
 
 /// `solve theta { ram.slide = x, mode: falling, near: seed }`.
 #[derive(Clone)]
-pub(crate) struct Solve {
+pub struct Solve {
     pub unknown: Ident,
     /// The two sides; `None` only after a mistake.
     pub equation: Option<[Expr; 2]>,
@@ -204,7 +204,7 @@ impl GroupStatement {
 
 /// `BC(B)`: a link and what its outer joint stands on.
 #[derive(Clone)]
-pub(crate) struct Leg {
+pub struct Leg {
     pub link: Ident,
     /// `None` only after a mistake.
     pub joint: Option<Ident>,
@@ -212,13 +212,13 @@ pub(crate) struct Leg {
 
 /// `lengths: (632mm, 374mm)`.
 #[derive(Clone)]
-pub(crate) struct GroupField {
+pub struct GroupField {
     pub name: Ident,
     pub value: GroupFieldValue,
 }
 
 #[derive(Clone)]
-pub(crate) enum GroupFieldValue {
+pub enum GroupFieldValue {
     /// A mode is an expression that is a bare name.
     One(Expr),
     Pair([Expr; 2]),
@@ -226,7 +226,7 @@ pub(crate) enum GroupFieldValue {
 
 /// The place a guide goes through.
 #[derive(Clone)]
-pub(crate) enum GuideAnchor<N = Expr> {
+pub enum GuideAnchor<N = Expr> {
     At([N; 2]),
     Point(Ident),
     /// Could not be read, and was reported.
@@ -235,7 +235,7 @@ pub(crate) enum GuideAnchor<N = Expr> {
 
 /// Where a guide goes.
 #[derive(Clone)]
-pub(crate) enum Course<N = Expr> {
+pub enum Course<N = Expr> {
     Along(N),
     Towards(Ident),
     /// Could not be read, and was reported.
@@ -243,7 +243,7 @@ pub(crate) enum Course<N = Expr> {
 }
 
 #[derive(Clone)]
-pub(crate) enum PointPlace {
+pub enum PointPlace {
     /// `at (x, y)`
     Cartesian([Expr; 2]),
     /// `at polar (r, 20deg)`
@@ -255,7 +255,7 @@ pub(crate) enum PointPlace {
 }
 
 #[derive(Clone)]
-pub(crate) struct OutputItem {
+pub struct OutputItem {
     /// `fold =`, where the item is a named expression.
     pub name: Option<Ident>,
     /// Where `as` stands, if the name is written behind it: `C as tip`.

@@ -111,7 +111,7 @@ pub(super) fn energy<'s>(kinematics: &Kinematics<'s>) -> Sym<'s> {
 }
 
 /// The stops, with their numbers in the declaration.
-fn stops<'k>(kinematics: &'k Kinematics<'_>) -> impl Iterator<Item = (usize, &'k Stop)> {
+pub fn stops<'k>(kinematics: &'k Kinematics<'_>) -> impl Iterator<Item = (usize, &'k Stop)> {
     kinematics.mechanism.dynamics.stops.iter().enumerate()
 }
 

@@ -38,11 +38,7 @@ pub(super) fn solved<'s>(rows: &[Row<'s>]) -> Vec<Sym<'s>> {
 }
 
 /// The same of rows that are given, each c, G and A as the run-time crate lays it out.
-#[cfg(test)]
-pub(in crate::equations) fn amounts_of<'s>(
-    rows: &[Vec<Sym<'s>>],
-    are_guides: &[bool],
-) -> Vec<Sym<'s>> {
+pub fn amounts_of<'s>(rows: &[Vec<Sym<'s>>], are_guides: &[bool]) -> Vec<Sym<'s>> {
     let row = |(row, &is_guide): (&Vec<Sym<'s>>, &bool)| Row {
         share: row[0],
         free: [row[1], row[2]],

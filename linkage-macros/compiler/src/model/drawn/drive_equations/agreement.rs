@@ -145,14 +145,14 @@ fn by_hand<'t>(bodies: &Bodies<'t>, body: usize) -> Vec<DrawnEquation<'t>> {
 }
 
 /// The equations of a drawing, which give its inputs.
-pub(super) struct DriveEquations<'b, 't> {
+pub struct DriveEquations<'b, 't> {
     bodies: &'b Bodies<'t>,
     mechanism: &'b Mechanism,
     all: Vec<DrawnEquation<'t>>,
 }
 
 impl Measured<'_> {
-    fn equations<'b, 't>(&'b mut self, bodies: &'b Bodies<'t>) -> DriveEquations<'b, 't> {
+    pub fn equations<'b, 't>(&'b mut self, bodies: &'b Bodies<'t>) -> DriveEquations<'b, 't> {
         let mut all = equations(bodies);
         for equation in &mut all {
             let value = bodies.as_drawn(equation.value, &[]);

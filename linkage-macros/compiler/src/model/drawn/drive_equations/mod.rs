@@ -2,4 +2,4 @@
 
 pub(in crate::model::drawn) mod agreement;
 pub(in crate::model::drawn) mod bent;
-pub(in crate::model::drawn) mod motions;
+pub mod motions;

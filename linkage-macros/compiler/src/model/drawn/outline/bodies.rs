@@ -13,7 +13,7 @@ use crate::model::mechanism::Dimension;
 use crate::model::names::listed;
 
 /// A point of the ground, a pin, or a point that is declared on a link.
-pub(in crate::model::drawn) struct PinPlace<'t> {
+pub struct PinPlace<'t> {
     pub name: Ident,
     pub at: [Figure; 2],
     /// Where it is declared on a link: the place, which the link's frame gives.
@@ -23,7 +23,7 @@ pub(in crate::model::drawn) struct PinPlace<'t> {
 }
 
 /// A link of the drawing.
-pub(in crate::model::drawn) struct LinkOutline<'t> {
+pub struct LinkOutline<'t> {
     pub name: &'t Ident,
     /// Through which it goes, in the order of its statement.
     pub pins: Vec<usize>,
@@ -58,7 +58,7 @@ impl<'t> LinkOutline<'t> {
 }
 
 /// A guide of the drawing.
-pub(in crate::model::drawn) struct GuideLine<'t> {
+pub struct GuideLine<'t> {
     pub name: &'t Ident,
     /// The body that it is on.
     pub on: usize,
@@ -70,7 +70,7 @@ pub(in crate::model::drawn) struct GuideLine<'t> {
 }
 
 /// All of a drawing by its names.
-pub(in crate::model::drawn) struct Bodies<'t> {
+pub struct Bodies<'t> {
     pub(in crate::model::drawn) tree: &'t Declaration,
     pub(in crate::model::drawn) pins: Vec<PinPlace<'t>>,
     /// Body `i + 1` is link `i`.

@@ -7,7 +7,7 @@ use crate::model::figures::{self, Figure};
 
 /// Where a frame begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::model::drawn) enum Origin {
+pub enum Origin {
     Ground,
     Pin(usize),
     /// A point of the guide.
@@ -16,7 +16,7 @@ pub(in crate::model::drawn) enum Origin {
 
 /// Where its x points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::model::drawn) enum Heading {
+pub enum Heading {
     X,
     Pins(usize, usize),
     Guide(usize),
@@ -24,7 +24,7 @@ pub(in crate::model::drawn) enum Heading {
 
 /// The frame of a link in the drawing.
 #[derive(Clone)]
-pub(in crate::model::drawn) struct DrawnFrame {
+pub struct DrawnFrame {
     pub begins: Origin,
     pub points: Heading,
     pub origin: [Figure; 2],
@@ -34,7 +34,7 @@ pub(in crate::model::drawn) struct DrawnFrame {
 
 /// The line of a guide in the drawing.
 #[derive(Clone)]
-pub(in crate::model::drawn) struct DrawnLine {
+pub struct DrawnLine {
     pub through: [Figure; 2],
     /// Not of length one.
     pub along: [Figure; 2],

@@ -18,7 +18,7 @@ const MISSED: f64 = 1e-12;
 
 /// The frames of all links as they are written, and the lines of all guides. `None` where they
 /// stand on each other in a circle, which is reported.
-pub(in crate::model::drawn) fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<DrawnFrame>> {
+pub fn written(reader: &mut Reader<'_, '_, '_>) -> Option<Vec<DrawnFrame>> {
     let mut frames = vec![None; reader.links.len() + 1];
     frames[GROUND] = Some(DrawnFrame::ground());
     let mut lines = vec![false; reader.guides.len()];

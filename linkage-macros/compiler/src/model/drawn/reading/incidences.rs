@@ -49,7 +49,7 @@ impl<'t> Reader<'t, '_, '_> {
     }
 
     /// The machine of all that was read.
-    pub(in crate::model::drawn) fn machine(
+    pub fn machine(
         mut self,
         drives: Vec<(usize, &'t DriveStatement)>,
         frames: Vec<DrawnFrame>,

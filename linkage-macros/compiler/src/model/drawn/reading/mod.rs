@@ -2,9 +2,9 @@
 
 pub(in crate::model::drawn) mod bare_links;
 pub(in crate::model::drawn) mod couplings;
-pub(in crate::model::drawn) mod framing;
+pub mod framing;
 pub(in crate::model::drawn) mod incidences;
 pub(in crate::model::drawn) mod read_guides;
-pub(in crate::model::drawn) mod reader;
+pub mod reader;
 pub(in crate::model::drawn) mod shared_params;
-pub(in crate::model::drawn) mod values;
+pub mod values;

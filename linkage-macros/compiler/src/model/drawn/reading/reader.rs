@@ -21,7 +21,7 @@ use crate::model::names::Kind;
 use crate::model::statements::declared_by;
 
 /// Reads the names of a drawing one after the other.
-pub(in crate::model::drawn) struct Reader<'t, 'v, 'd> {
+pub struct Reader<'t, 'v, 'd> {
     pub tree: &'t Declaration,
     pub values: &'v mut Measured<'d>,
     pub pins: Vec<PinPlace<'t>>,
@@ -43,7 +43,7 @@ pub(in crate::model::drawn) fn drawn_links(statement: &Statement) -> &[DrawnLink
 impl<'t, 'v, 'd> Reader<'t, 'v, 'd> {
     /// All names that are read, and what drives which body; `None` where a name is in error, which was
     /// reported.
-    pub(in crate::model::drawn) fn of(
+    pub fn of(
         tree: &'t Declaration,
         values: &'v mut Measured<'d>,
     ) -> Option<(Self, Vec<(usize, &'t DriveStatement)>)> {

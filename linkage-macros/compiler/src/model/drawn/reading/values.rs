@@ -26,7 +26,7 @@ use crate::model::{Scope, begun, expressions, fits, numbers, order};
 const FARTHEST: f64 = 1e60;
 
 /// The values of the numbers of a drawing.
-pub(in crate::model::drawn) struct Measured<'d> {
+pub struct Measured<'d> {
     pub scope: Scope<'d>,
     /// By name, where the points of the ground and the pins are.
     pub places: HashMap<String, [Figure; 2]>,
@@ -112,10 +112,7 @@ pub(super) fn drawn_points(tree: &Declaration) -> impl Iterator<Item = &(Ident, 
 
 impl<'d> Measured<'d> {
     /// The numbers of a drawing; `None` where one of them is in error, which was reported.
-    pub(in crate::model::drawn) fn of(
-        tree: &'d Declaration,
-        diagnostics: &'d mut Diagnostics,
-    ) -> Option<Self> {
+    pub fn of(tree: &'d Declaration, diagnostics: &'d mut Diagnostics) -> Option<Self> {
         let before = diagnostics.count();
         let items = items(tree);
         let mut scope = begun::scope(tree, &items, &tree.unread, diagnostics);
@@ -266,7 +263,7 @@ impl<'d> Measured<'d> {
 }
 
 /// The value of a number at the defaults of the parameters.
-pub(crate) fn value(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<f64> {
+pub fn value(expr: &Resolved, mechanism: &Mechanism, inputs: &[f64]) -> Option<f64> {
     let value = folded(expr, mechanism, inputs)?.constant()?.to_f64();
     value.is_finite().then_some(value)
 }

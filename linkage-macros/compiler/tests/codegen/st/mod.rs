@@ -1,0 +1,3 @@
+//! Tests of `codegen/st`.
+
+pub(crate) mod st_names;

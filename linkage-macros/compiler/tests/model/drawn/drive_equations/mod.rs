@@ -1,0 +1,3 @@
+//! Tests of `model/drawn/drive_equations`.
+
+pub(crate) mod motions;

@@ -1,0 +1,12 @@
+//! Every pass: what it rewrites, what it leaves alone, and that it changes no meaning.
+
+pub(crate) use linkage_compiler::passes::*;
+pub(crate) mod affine;
+pub(crate) mod budgets;
+pub(crate) mod chain;
+pub(crate) mod collect;
+pub(crate) mod conditions;
+pub(crate) mod dynamics;
+pub(crate) mod growth;
+pub(crate) mod meaning;
+pub(crate) mod rules;

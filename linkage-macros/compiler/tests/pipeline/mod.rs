@@ -1,0 +1,5 @@
+//! Tests of `pipeline`.
+
+pub(crate) use linkage_compiler::pipeline::*;
+pub(crate) mod assembly_export;
+pub(crate) mod several_sets;

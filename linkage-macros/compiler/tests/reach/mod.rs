@@ -1,0 +1,3 @@
+//! Tests of `reach`.
+
+pub(crate) mod turn;
