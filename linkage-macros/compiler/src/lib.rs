@@ -56,7 +56,7 @@
 //! the condition that it is positive, in `lower` it can be anything, so results are asked, and in
 //! `codegen` it is `self.l`.
 
-// What is public for tests points to what is not.
+// Items that are public for tests link to private ones.
 #![allow(rustdoc::private_intra_doc_links)]
 
 #[cfg(feature = "macro")]

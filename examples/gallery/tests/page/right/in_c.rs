@@ -91,7 +91,8 @@ impl Printed {
         let Some(TokenTree::Group(group)) = call.into_iter().last() else {
             panic!("a call ends with its brackets")
         };
-        let files = linkage_compiler::c(group.stream(), &[], None).expect("there is no mistake");
+        let files =
+            linkage_compiler::c(group.stream(), &[entry], None).expect("there is no mistake");
         let header = files[0].name.trim_end_matches(".h").to_string();
         let call = format!("_{entry}(");
         let mut words = files[0].text.split_whitespace();
