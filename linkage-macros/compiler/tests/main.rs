@@ -1,6 +1,7 @@
-//! Tests of the compiler, room by room.
-
-pub(crate) use linkage_compiler::*;
+//! Tests of the compiler, room by room. A module has what the room of its name has, and tests it: what stands in
+//! `passes/collect.rs` here is about `passes/collect.rs` of the compiler. Beside the rooms, `oracle` computes in a hundred
+//! digits, `expansions` compares what every declaration of the workspace expands to, `mistakes` mends what a newcomer writes,
+//! `drawings` are machines drawn by hand and by chance, and `fuzz` is everything else that might be written.
 
 mod brackets;
 mod chain;
@@ -24,3 +25,5 @@ mod prove;
 mod reach;
 mod report;
 mod syntax;
+
+pub(crate) use linkage_compiler::*;

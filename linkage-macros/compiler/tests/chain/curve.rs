@@ -9,6 +9,7 @@ fn a_chebyshev_sum_of_a_polynomial_is_the_polynomial() {
         assert!((found - wanted).abs() < 1e-14, "{found} for {wanted}");
     }
 }
+
 /// A curve u + c r + b r², r² the distance from a dead point, whose slope falls as r: the factor is c, before
 /// and behind the end.
 #[test]

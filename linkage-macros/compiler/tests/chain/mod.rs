@@ -1,12 +1,10 @@
 //! Cuts of machines by their indices alone.
 
-pub(crate) use linkage_compiler::chain::*;
 pub(crate) mod assemblies;
 pub(crate) mod curve;
 pub(crate) mod near_dead;
 pub(crate) mod pose;
 pub(crate) mod redrawn;
-
 pub(crate) mod resized;
 pub(crate) mod traces;
 
@@ -21,6 +19,7 @@ use self::plane::Complex;
 use self::pose::Posed;
 use self::redrawn::{Resized, redrawn};
 use self::trace::drawn;
+pub(crate) use linkage_compiler::chain::*;
 
 fn body(pins: &[usize]) -> RigidBody {
     RigidBody { pins: pins.to_vec(), ..RigidBody::default() }

@@ -1,8 +1,9 @@
 //! Tests of `chain/near_dead`.
 
+use std::f64::consts::TAU;
+
 use crate::chain::fit::NearDead;
 pub(crate) use linkage_compiler::chain::near_dead::*;
-use std::f64::consts::TAU;
 
 /// The branch of φ² = x² + e² beside a smooth curve: the terms are those of the curve, to roundings of the least
 /// squares, which are some dozen units in the last place.

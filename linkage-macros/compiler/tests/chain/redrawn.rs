@@ -1,10 +1,7 @@
 //! Tests of `chain/redrawn`.
 
 use super::machine::RigidBody;
-use crate::chain::machine::Driven;
-use crate::chain::machine::Driving;
-use crate::chain::machine::Machine;
-use crate::chain::machine::Slide;
+use crate::chain::machine::{Driven, Driving, Machine, Slide};
 use crate::chain::plane::Complex;
 pub(crate) use linkage_compiler::chain::redrawn::*;
 

@@ -1,12 +1,11 @@
 //! The additions of `export c;`, and the code that it leaves unchanged.
 
-use quote::ToTokens;
-use syn::{Expr, ExprLit, ImplItem, Lit};
-
 use super::fixture::{four_bar, ident, table};
 use super::{associated_items, expand, generate, squeezed};
 use crate::ir::program::Program;
 use crate::model::mechanism::Mechanism;
+use quote::ToTokens;
+use syn::{Expr, ExprLit, ImplItem, Lit};
 
 fn exported((mut mechanism, program): (Mechanism, Program)) -> (Mechanism, Program) {
     mechanism.export_c = true;

@@ -4,13 +4,12 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use proc_macro2::{Ident, Span, TokenStream};
-
 use super::c_printed::compiled;
 use super::skipped::skipped;
 use crate::codegen::c::c_identifiers::{Width, arguments, distinct};
 use crate::codegen::c::run_time;
 use crate::pipeline;
+use proc_macro2::{Ident, Span, TokenStream};
 
 /// Dialects, with what each is told beside.
 const DIALECTS: [(&str, &[&str]); 5] = [

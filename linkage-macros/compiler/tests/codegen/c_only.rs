@@ -3,8 +3,6 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use proc_macro2::TokenStream;
-
 use super::c_printed::{STRICT, compiled};
 use crate::codegen::c;
 use crate::codegen::c::c_identifiers::Width;
@@ -13,8 +11,8 @@ use crate::codegen::c::selection::Selection;
 use crate::diagnostics::Diagnostics;
 use crate::exact::AtomScope;
 use crate::expansions::declarations;
-use crate::lower;
-use crate::pipeline;
+use crate::{lower, pipeline};
+use proc_macro2::TokenStream;
 
 /// A press with a load, friction and a search, and a crank of two inputs and loads.
 const SAMPLE: [&str; 4] = [

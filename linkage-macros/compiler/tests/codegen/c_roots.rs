@@ -8,12 +8,11 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
+use super::c_program::Program;
+use super::c_run_time::{Call, EntryOutputs, Random, answers, compare};
 use linkage_core::find::{FindError, Trend};
 use linkage_core::private::{Checks, FirstError, Nonzero, root, root_within_a_turn};
 use linkage_core::{Real, Scalar, SolveError};
-
-use super::c_program::Program;
-use super::c_run_time::{Call, EntryOutputs, Random, answers, compare};
 
 /// The first of the functions in C that search: rising, falling, both from a seed, the same of an angle that is asked for
 /// a turn, and all of them where something has failed before, and where an unknown was to blame before; then one whose

@@ -1,8 +1,5 @@
 //! Mechanisms and programs built by hand: what the phases before this one would make of them.
 
-use proc_macro2::{Ident, Span};
-use syn::{Attribute, Visibility};
-
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::interface::entries::EntryPoint;
@@ -10,6 +7,8 @@ use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 use crate::ir::program::{EntryOutputs, Program};
 use crate::model::mechanism::*;
 use crate::syntax::anatomy::Modes;
+use proc_macro2::{Ident, Span};
+use syn::{Attribute, Visibility};
 
 pub(super) const LENGTH: Dimension = Dimension::LENGTH;
 pub(super) const ANGLE: Dimension = Dimension::ANGLE;

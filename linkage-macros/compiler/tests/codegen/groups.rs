@@ -1,9 +1,8 @@
 //! The documentation of every group: dimensions, mode, and where it can be assembled.
 
 use super::{generate, line_by_line};
-use crate::equations;
 use crate::oracle::mechanism;
-use crate::passes;
+use crate::{equations, passes};
 
 /// The lines about the groups, in their order.
 fn said(source: &str) -> Vec<String> {

@@ -1,8 +1,7 @@
 //! Tests of `codegen/identifiers`.
 
 pub(crate) use linkage_compiler::codegen::identifiers::*;
-use proc_macro2::Ident;
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span};
 use quote::format_ident;
 
 #[test]

@@ -1,13 +1,7 @@
 //! The text of what small programs expand to.
 
-pub(crate) use linkage_compiler::codegen::*;
-pub(crate) mod c;
-pub(crate) mod docs;
-pub(crate) mod identifiers;
-pub(crate) mod st;
-pub(crate) mod text;
-
 pub(crate) mod apart;
+pub(crate) mod c;
 pub(crate) mod c_beyond;
 pub(crate) mod c_builds;
 pub(crate) mod c_constants;
@@ -20,9 +14,11 @@ pub(crate) mod c_printed;
 pub(crate) mod c_program;
 pub(crate) mod c_roots;
 pub(crate) mod c_run_time;
+pub(crate) mod docs;
 pub(crate) mod fixture;
 pub(crate) mod groups;
 pub(crate) mod guards;
+pub(crate) mod identifiers;
 pub(crate) mod rubbing_page;
 pub(crate) mod run_time;
 pub(crate) mod several_inputs;
@@ -30,10 +26,10 @@ pub(crate) mod shared_constants;
 #[path = "../../../../tests/skipped.rs"]
 pub(crate) mod skipped;
 pub(crate) mod spans;
+pub(crate) mod st;
+pub(crate) mod text;
 pub(crate) mod turning;
 pub(crate) mod unique_root;
-
-use proc_macro2::{Group, TokenStream, TokenTree};
 
 use crate::function::Function;
 use crate::ir::graph::{Graph, Id, Node};
@@ -42,6 +38,8 @@ use crate::lower::lower;
 use crate::model::mechanism::Mechanism;
 use crate::pipeline::Options;
 use fixture::{exact, four_bar, one_value, table};
+pub(crate) use linkage_compiler::codegen::*;
+use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// The items of all `impl` blocks in the unnamed constant.
 pub(crate) fn associated_items(file: &syn::File) -> Vec<&syn::ImplItem> {

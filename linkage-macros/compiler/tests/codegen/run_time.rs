@@ -5,10 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use syn::{Item, UseTree};
-
 use crate::codegen::c::header::{JAMS, NO_SOLUTION, NOT_CERTIFIED, SHARED};
 use crate::codegen::rust::paths::IMPORTED;
+use syn::{Item, UseTree};
 
 /// The items of a file of the run-time crate.
 fn items(file: &str) -> Vec<Item> {

@@ -2,9 +2,8 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::{Ident, LineColumn, TokenStream, TokenTree};
-
 use crate::pipeline::{self, Options};
+use proc_macro2::{Ident, LineColumn, TokenStream, TokenTree};
 
 /// Every identifier among the tokens and where it stands.
 fn identifiers(stream: TokenStream, found: &mut Vec<(String, LineColumn)>) {

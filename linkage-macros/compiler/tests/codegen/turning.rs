@@ -1,11 +1,10 @@
 //! The documentation of a crank's range, compared with where the solver assembles.
 
 use super::{generate, line_by_line};
-use crate::equations;
 use crate::ir::interpret::{ProgramValues, interpret};
 use crate::oracle::mechanism;
-use crate::passes;
 use crate::reach::turn::Range;
+use crate::{equations, passes};
 
 /// A crank AB of 1 m on A(0, 0), turned by `theta`, with what else is declared.
 fn on_a_crank(rest: &str) -> String {

@@ -1,9 +1,8 @@
 //! The documentation of an equation's roots, where constants decide.
 
 use super::{generate, line_by_line};
-use crate::equations;
 use crate::oracle::mechanism;
-use crate::passes;
+use crate::{equations, passes};
 
 /// The words about the unknown: its trend, and its count of roots.
 fn said(source: &str) -> String {

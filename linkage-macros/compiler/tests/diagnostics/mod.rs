@@ -1,9 +1,9 @@
 //! Tests of `diagnostics`.
 
-pub(crate) use linkage_compiler::diagnostics::*;
 pub(crate) mod told;
-use proc_macro2::Span;
-use proc_macro2::TokenStream;
+
+pub(crate) use linkage_compiler::diagnostics::*;
+use proc_macro2::{Span, TokenStream};
 pub(crate) use told::told;
 
 fn messages(failure: Failure) -> Vec<String> {

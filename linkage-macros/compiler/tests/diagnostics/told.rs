@@ -6,9 +6,8 @@
 
 use std::ops::Range;
 
-use proc_macro2::{Span, TokenStream, TokenTree};
-
 use super::{Diagnostic, Diagnostics, Extent};
+use proc_macro2::{Span, TokenStream, TokenTree};
 
 /// The mistakes of a source, of which the row of a test is the part in `row`.
 pub(crate) fn told(mistakes: &[Diagnostic], source: &str, row: Range<usize>) -> String {

@@ -1,12 +1,10 @@
 //! The numbers of a machine's results, by their names.
 
-use crate::exact::Exact;
-use crate::interface::Interface;
-use crate::interface::entries::EntryPoint;
-use crate::interface::labels;
-use crate::ir::interpret::{ProgramValues, Searched, interpret};
-
 use super::machine::Machine;
+use crate::exact::Exact;
+use crate::interface::entries::EntryPoint;
+use crate::interface::{Interface, labels};
+use crate::ir::interpret::{ProgramValues, Searched, interpret};
 
 /// Numbers by name; of a direction first the cosine, then the sine.
 pub(super) struct Answers(Vec<(String, f64)>);

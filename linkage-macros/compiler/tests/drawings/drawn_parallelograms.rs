@@ -1,9 +1,8 @@
 //! Parallelograms stay what they are drawn as: behind cranks and rockers, and in chains; what is drawn crossed stays so.
 
+use super::machine::{Machine, machine};
 use crate::diagnostics::{Diagnostic, Diagnostics};
 use crate::{model, syntax};
-
-use super::machine::{Machine, machine};
 
 /// Products of lengths of less than a metre.
 const OFF: f64 = 1e-14;

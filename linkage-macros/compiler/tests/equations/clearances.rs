@@ -1,10 +1,9 @@
 //! Clearance of an equation from having no root, in closed form: the height of a crank's pin, 2 sin θ, is
 //! to be x.
 
-use crate::equations;
 use crate::ir::interpret::{ProgramValues, interpret};
 use crate::oracle::mechanism;
-use crate::passes;
+use crate::{equations, passes};
 
 const HEIGHT: &str =
     "struct M { input x: length; unknown theta: angle between (0.2, 1.2); ground A(0, 0);

@@ -6,9 +6,9 @@ use crate::equations::declarations::VARIANTS;
 use crate::equations::derive;
 use crate::equations::forces::topologies::random_mechanism;
 use crate::equations::forces::{
-    Walk, accelerations, energy, equations, every_input_moves_mass, in_motion, share_of_a_pivot,
+    Walk, accelerations, energy, equations, every_input_moves_mass, in_motion, loaded,
+    share_of_a_pivot, with_every_input_asked,
 };
-use crate::equations::forces::{loaded, with_every_input_asked};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::newton_euler::Motion;
 use crate::equations::parallelograms::PARALLELOGRAMS;

@@ -8,8 +8,9 @@ use std::fmt::Write;
 
 use crate::equations::declarations::{VARIANTS, Variant};
 use crate::equations::forces::topologies::random_mechanism;
-use crate::equations::forces::{Walk, slip};
-use crate::equations::forces::{evaluated, loaded, read, readings, with_every_input_asked};
+use crate::equations::forces::{
+    Walk, evaluated, loaded, read, readings, slip, with_every_input_asked,
+};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::newton_euler::{Matrix, Motion};
 use crate::equations::parallelograms::PARALLELOGRAMS;

@@ -4,8 +4,7 @@
 //! friction has to give the drive back.
 
 use crate::equations::derive;
-use crate::equations::forces::{Walk, accelerations};
-use crate::equations::forces::{evaluated, with_every_input_asked};
+use crate::equations::forces::{Walk, accelerations, evaluated, with_every_input_asked};
 use crate::equations::friction::{Jamming, check_declared};
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::symbol::GraphBuilder;

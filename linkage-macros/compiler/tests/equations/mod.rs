@@ -2,9 +2,6 @@
 //! against differences of the position in a hundred digits, and positions against the joints'
 //! own conditions.
 
-pub(crate) use linkage_compiler::equations::*;
-pub(crate) mod functions;
-
 pub(crate) mod by_input;
 pub(crate) mod clearances;
 pub(crate) mod declarations;
@@ -13,6 +10,7 @@ pub(crate) mod dynamics;
 pub(crate) mod forces;
 pub(crate) mod friction;
 pub(crate) mod friction_forward;
+pub(crate) mod functions;
 pub(crate) mod joints;
 pub(crate) mod laws;
 pub(crate) mod left_out;
@@ -21,3 +19,5 @@ pub(crate) mod parallelograms;
 pub(crate) mod rates;
 pub(crate) mod slip_rounding;
 pub(crate) mod straight_proofs;
+
+pub(crate) use linkage_compiler::equations::*;

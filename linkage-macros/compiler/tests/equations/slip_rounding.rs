@@ -3,9 +3,8 @@
 //! The bounds are no formula of the numbers that they bound, and the hundred digits know of neither.
 
 use crate::equations::declarations::VARIANTS;
-use crate::equations::forces::evaluated;
-use crate::equations::forces::slip;
 use crate::equations::forces::topologies::random_mechanism;
+use crate::equations::forces::{evaluated, slip};
 use crate::equations::friction::rubbing;
 use crate::equations::kinematics::{InputMotion, Kinematics};
 use crate::equations::parallelograms::PARALLELOGRAMS;

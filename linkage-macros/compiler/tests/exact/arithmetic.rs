@@ -1,10 +1,9 @@
 //! The rational arithmetic, in machine words and beyond.
 
+use super::rational::{BigRational, Rational, square_part};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
-
-use super::rational::{BigRational, Rational, square_part};
 
 /// Numbers at which words overflow, and ordinary ones.
 fn samples() -> Vec<BigRational> {

@@ -3,8 +3,7 @@
 use core::cmp::Ordering;
 
 use super::reference::Reference;
-use super::{Enclosure, Exact};
-use super::{Random, defined, enclosed, number, value};
+use super::{Enclosure, Exact, Random, defined, enclosed, number, value};
 
 /// Each row: 101 digits of a postfix expression.
 const ENCLOSED: &str = include_str!("enclosed.txt");

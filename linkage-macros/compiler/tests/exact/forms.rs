@@ -2,8 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::Exact;
-use super::{defined, number, value};
+use super::{Exact, defined, number, value};
 
 #[track_caller]
 fn assert_same(a: &str, b: &str) {

@@ -2,7 +2,6 @@
 //!
 //! Expressions are written in postfix order: `20 deg sin 2 mul` is 2 sin 20°.
 
-pub(crate) use linkage_compiler::exact::*;
 pub(crate) mod arithmetic;
 pub(crate) mod enclosing;
 pub(crate) mod forms;
@@ -12,6 +11,7 @@ pub(crate) mod text;
 
 use self::reference::Reference;
 use crate::function::Function;
+pub(crate) use linkage_compiler::exact::*;
 
 fn number(text: &str) -> Exact {
     Exact::decimal(text).expect("a decimal literal")

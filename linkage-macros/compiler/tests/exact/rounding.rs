@@ -1,7 +1,6 @@
 //! Floats of exact numbers.
 
-use super::Exact;
-use super::{defined, number};
+use super::{Exact, defined, number};
 
 /// Each row: f64 and its low word, f32 and its low word, of a postfix expression. Rounded from
 /// 2400 (where numbers are huge, 12 000) digits of mpmath's.

@@ -1,7 +1,6 @@
 //! Literals and the short text.
 
-use super::Exact;
-use super::{defined, number};
+use super::{Exact, defined, number};
 
 #[test]
 fn decimals_as_rust_writes_them() {

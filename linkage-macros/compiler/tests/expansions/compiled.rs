@@ -1,12 +1,11 @@
 //! What the pipeline makes of a declaration in several ways, read and derived once for all of them.
 
-use proc_macro2::TokenStream;
-
 use super::parts;
 use crate::diagnostics::{Diagnostic, Diagnostics};
 use crate::exact::AtomScope;
 use crate::model;
 use crate::pipeline::{Options, code, placing, program, read, stub, text};
+use proc_macro2::TokenStream;
 
 /// The stub that the declaration would have if it had mistakes, its solver, and the solver of the same declaration
 /// with `export c;` beside all that can be shown of it.

@@ -4,11 +4,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use proc_macro2::{TokenStream, TokenTree};
-
 use crate::blocks;
 use crate::equations::declarations::{UNKNOWNS, VARIANTS};
 use crate::equations::parallelograms::PARALLELOGRAMS;
+use proc_macro2::{TokenStream, TokenTree};
 
 pub(crate) struct Declaration {
     /// The mechanism's; for a variant of a group, the variant's.

@@ -1,9 +1,8 @@
 //! Random slips of whoever writes a declaration: tokens left out, doubled, swapped, replaced,
 //! numbers and names changed.
 
-use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
-
 use super::seeds;
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 
 /// Words and numbers that other declarations may have, and some that none has.
 const WORDS: &str = "

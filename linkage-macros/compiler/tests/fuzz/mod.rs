@@ -10,12 +10,11 @@ pub(crate) mod seeds;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use proc_macro2::{TokenStream, TokenTree};
-
 use crate::diagnostics::{Diagnostic, Diagnostics};
 use crate::pipeline::{Options, Output};
 use crate::{model, pipeline, syntax};
 use mangle::Mangler;
+use proc_macro2::{TokenStream, TokenTree};
 
 /// The counts of declarations that compiled, of those with mistakes, and of the mistakes reported.
 #[derive(Default)]

@@ -1,8 +1,7 @@
 //! Tests of `interface/dimensions`.
 
-use crate::interface::Interface;
-use crate::interface::labels;
 use crate::interface::units_in_words::unit;
+use crate::interface::{Interface, labels};
 use crate::model::mechanism::Mechanism;
 use crate::oracle::mechanism;
 pub(crate) use linkage_compiler::interface::dimensions::*;

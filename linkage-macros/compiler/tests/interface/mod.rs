@@ -1,15 +1,15 @@
 //! Tests of `interface`.
 
-pub(crate) use linkage_compiler::interface::*;
 pub(crate) mod components;
 pub(crate) mod dimensions;
 pub(crate) mod entries;
 pub(crate) mod quantity;
 pub(crate) mod units_in_words;
+
 use crate::interface::entries::Analysis;
 use crate::interface::records::RecordKind;
-
 use crate::oracle::mechanism;
+pub(crate) use linkage_compiler::interface::*;
 
 #[test]
 fn a_record_of_what_is_not_offered_is_not_used() {

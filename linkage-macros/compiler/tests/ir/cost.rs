@@ -1,10 +1,7 @@
 //! Tests of `ir/cost`.
 
 use crate::function::Function;
-use crate::ir::graph::Graph;
-use crate::ir::graph::Id;
-use crate::ir::graph::Node;
-use crate::ir::graph::{Check, Guard};
+use crate::ir::graph::{Check, Graph, Guard, Id, Node};
 pub(crate) use linkage_compiler::ir::cost::*;
 
 fn input(graph: &mut Graph, input: u32) -> Id {

@@ -1,8 +1,7 @@
 //! Tests of `lower/input_limits`.
 
 use crate::ir::graph::Node;
-use crate::lower::routine::Bound;
-use crate::lower::routine::Sum;
+use crate::lower::routine::{Bound, Sum};
 pub(crate) use linkage_compiler::lower::input_limits::*;
 
 const RATE: Node = Node::Input { input: 0, order: 1 };

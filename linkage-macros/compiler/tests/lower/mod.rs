@@ -1,6 +1,5 @@
 //! Tests of `lower`.
 
-pub(crate) use linkage_compiler::lower::*;
 pub(crate) mod input_limits;
 pub(crate) mod locals;
 pub(crate) mod nesting;
@@ -9,3 +8,5 @@ pub(crate) mod ranges;
 pub(crate) mod schedule;
 pub(crate) mod unique_root;
 pub(crate) mod witnesses;
+
+pub(crate) use linkage_compiler::lower::*;

@@ -1,11 +1,9 @@
 //! Tests of `lower/nesting`.
 
-use crate::ir::graph::Id;
-use crate::ir::graph::{Graph, Node};
+use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::liveness::{Path, live, tried};
 use crate::lower::routine::Locals;
-use crate::lower::schedule::Schedule;
-use crate::lower::schedule::defines;
+use crate::lower::schedule::{Schedule, defines};
 pub(crate) use linkage_compiler::lower::nesting::*;
 
 /// Numbers of the nodes with locals of their own, in a graph over two values, a = 0 and b = 1.

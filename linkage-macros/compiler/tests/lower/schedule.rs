@@ -1,14 +1,9 @@
 //! Tests of `lower/schedule`.
 
 use crate::function::Function;
-use crate::ir::graph::Graph;
-use crate::ir::graph::Node;
-use crate::ir::graph::{Check, Guard};
-use crate::ir::liveness::Path;
-use crate::ir::liveness::{live, tried};
-use crate::lower::routine::Instruction;
-use crate::lower::routine::Locals;
-use crate::lower::routine::Threshold;
+use crate::ir::graph::{Check, Graph, Guard, Node};
+use crate::ir::liveness::{Path, live, tried};
+use crate::lower::routine::{Instruction, Locals, Threshold};
 pub(crate) use linkage_compiler::lower::schedule::*;
 
 /// The hypotenuses of a stage, and whether they are asked for their squares.

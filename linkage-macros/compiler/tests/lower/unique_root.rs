@@ -1,9 +1,7 @@
 //! Tests of `lower/unique_root`.
 
 use crate::function::Function;
-use crate::ir::graph::GuardId;
-use crate::ir::graph::Id;
-use crate::ir::graph::Node;
+use crate::ir::graph::{GuardId, Id, Node};
 use crate::lower::interval::Interval;
 pub(crate) use linkage_compiler::lower::unique_root::*;
 

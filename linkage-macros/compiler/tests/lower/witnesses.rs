@@ -1,9 +1,7 @@
 //! Tests of `lower/witnesses`.
 
 use crate::function::Function;
-use crate::ir::graph::Graph;
-use crate::ir::graph::Id;
-use crate::ir::graph::Node;
+use crate::ir::graph::{Graph, Id, Node};
 pub(crate) use linkage_compiler::lower::witnesses::*;
 
 fn graph_of_two() -> (Graph, Id, Id) {

@@ -9,12 +9,11 @@ pub(crate) mod links;
 pub(crate) mod outputs;
 pub(crate) mod pins;
 
-use proc_macro2::{Group, TokenStream, TokenTree};
-
 use crate::diagnostics::{Diagnostic, Diagnostics, told};
 use crate::pipeline::{self, Options};
 use crate::syntax::anatomy::KEYWORDS;
 use crate::syntax::openings::OPENINGS;
+use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// A four-bar whose coupler drives a block, as it is drawn.
 pub(super) const LEVERS: &str = "pub struct M {

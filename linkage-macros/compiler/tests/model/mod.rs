@@ -1,20 +1,15 @@
 //! The rules on tiny declarations: what they resolve to, and every mistake with its token.
 
-pub(crate) use linkage_compiler::model::*;
-pub(crate) mod dimension;
-pub(crate) mod folding;
-pub(crate) mod stub;
-pub(crate) mod units;
-pub(crate) mod wheels;
-
 pub(crate) mod actions;
 pub(crate) mod class_three;
 pub(crate) mod constants;
+pub(crate) mod dimension;
 pub(crate) mod drawn;
 pub(crate) mod drawn_numbers;
 pub(crate) mod driving;
 pub(crate) mod expressions;
 pub(crate) mod fields;
+pub(crate) mod folding;
 pub(crate) mod formulas;
 pub(crate) mod friction;
 pub(crate) mod geared;
@@ -35,14 +30,18 @@ pub(crate) mod rigid;
 pub(crate) mod slips;
 pub(crate) mod springs;
 pub(crate) mod stops;
+pub(crate) mod stub;
 pub(crate) mod text;
 pub(crate) mod together;
+pub(crate) mod units;
 pub(crate) mod unknowns;
+pub(crate) mod wheels;
 
 use self::mechanism::Mechanism;
 use crate::diagnostics::{Diagnostics, told};
 use crate::mistakes::proposals_are_read;
 use crate::syntax::parse;
+pub(crate) use linkage_compiler::model::*;
 
 // Statements that a row may build on.
 const NOTHING: &str = "";

@@ -2,10 +2,9 @@
 //!
 //! Most of them are mistakes and some are not; what resolves can be solved.
 
-use proc_macro2::{Group, TokenStream, TokenTree};
-
 use super::*;
 use crate::{equations, passes};
+use proc_macro2::{Group, TokenStream, TokenTree};
 
 const ROUNDS: usize = 400;
 

@@ -2,14 +2,13 @@
 
 use std::collections::HashSet;
 
-use quote::ToTokens;
-use syn::{File, ImplItem, Item};
-
 use crate::codegen::{associated_items, file};
 use crate::diagnostics::Diagnostics;
 use crate::model::{self, Stub};
 use crate::pipeline;
 use crate::syntax::parse;
+use quote::ToTokens;
+use syn::{File, ImplItem, Item};
 
 fn expand(source: &str) -> File {
     let mut diagnostics = Diagnostics::new();

@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
-use proc_macro2::{TokenStream, TokenTree};
-
 use crate::lower::lower;
 use crate::oracle::mechanism;
 use crate::{equations, passes};
+use proc_macro2::{TokenStream, TokenTree};
 
 /// Dyads on dyads: each stands on the ground and on the pin of the one before.
 fn chain(groups: usize) -> String {

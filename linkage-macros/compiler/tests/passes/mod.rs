@@ -1,6 +1,5 @@
 //! Every pass: what it rewrites, what it leaves alone, and that it changes no meaning.
 
-pub(crate) use linkage_compiler::passes::*;
 pub(crate) mod affine;
 pub(crate) mod budgets;
 pub(crate) mod chain;
@@ -10,3 +9,5 @@ pub(crate) mod dynamics;
 pub(crate) mod growth;
 pub(crate) mod meaning;
 pub(crate) mod rules;
+
+pub(crate) use linkage_compiler::passes::*;

@@ -1,5 +1,6 @@
 //! Tests of `pipeline`.
 
-pub(crate) use linkage_compiler::pipeline::*;
 pub(crate) mod assembly_export;
 pub(crate) mod several_sets;
+
+pub(crate) use linkage_compiler::pipeline::*;

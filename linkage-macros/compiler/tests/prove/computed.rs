@@ -1,12 +1,11 @@
 //! A subject's nodes as the generated code computes them, in either width, fused or not.
 
-use linkage_core::Scalar;
-
 use crate::exact::Exact;
 use crate::function::Function;
 use crate::ir::graph::{Id, Node};
 use crate::prove::goal::Goal;
 use crate::prove::premises::Leaf;
+use linkage_core::Scalar;
 
 /// A number of the generated code.
 pub(crate) trait Float: Scalar {

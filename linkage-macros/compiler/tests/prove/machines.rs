@@ -1,13 +1,12 @@
 //! Machines whose bounds are compared with what is computed.
 
-use crate::equations;
 use crate::ir::graph::Id;
 use crate::ir::program::Program;
 use crate::model::mechanism::{Mechanism, ParamKind, Sign};
 use crate::oracle::mechanism;
-use crate::passes;
 use crate::prove::outward::OutwardInterval;
 use crate::prove::premises::{Hooks, Leaf, Premises};
+use crate::{equations, passes};
 
 /// A machine, and the range of each input that its bounds are wanted over.
 pub(crate) struct Machine {

@@ -1,8 +1,7 @@
 //! `pin`, `link` and `drive`: the trees they make, and their mistakes.
 
 use super::*;
-use crate::syntax::tree::DrawnLink;
-use crate::syntax::tree::{DriveByStatement, LinkStatement, PinStatement};
+use crate::syntax::tree::{DrawnLink, DriveByStatement, LinkStatement, PinStatement};
 
 /// A statement of a drawing.
 pub(super) fn drawn(kind: &StatementKind) -> String {

@@ -1,30 +1,29 @@
 //! The parser on tiny declarations: trees in text form, and mistakes with their tokens.
 
-pub(crate) use linkage_compiler::syntax::*;
-pub(crate) mod number;
-
 pub(crate) mod actions;
 pub(crate) mod expression_mistakes;
 pub(crate) mod group_mistakes;
 pub(crate) mod inputs;
 pub(crate) mod links;
+pub(crate) mod number;
 pub(crate) mod recovery;
 pub(crate) mod solve;
 pub(crate) mod statement_mistakes;
 pub(crate) mod trees;
 
-use crate::syntax::tree::{
-    CrateStatement, ExportStatement, ForceBetweenStatement, ForceStatement, GravityStatement,
-    GroundStatement, GuideStatement, InertiaStatement, InputStatement, LetStatement, LoadStatement,
-    MassStatement, NumericsStatement, OutputStatement, ParamStatement, PointStatement,
-    SpringStatement, TorqueBetweenStatement, TorqueStatement, UnknownStatement,
-};
 use std::fmt::Write;
 use std::ops::Range;
 
 use self::tree::*;
 use crate::diagnostics::{Diagnostics, told};
 use crate::mistakes::proposals_are_read;
+use crate::syntax::tree::{
+    CrateStatement, ExportStatement, ForceBetweenStatement, ForceStatement, GravityStatement,
+    GroundStatement, GuideStatement, InertiaStatement, InputStatement, LetStatement, LoadStatement,
+    MassStatement, NumericsStatement, OutputStatement, ParamStatement, PointStatement,
+    SpringStatement, TorqueBetweenStatement, TorqueStatement, UnknownStatement,
+};
+pub(crate) use linkage_compiler::syntax::*;
 
 /// The mistakes of a source text, as `told` writes them.
 fn mistakes(source: &str) -> String {

@@ -1,23 +1,19 @@
 //! Lists of assemblies against other ways to count them.
 
-pub(crate) use linkage_compiler::chain::assemblies::*;
 pub(crate) mod nearest;
 pub(crate) mod numbers;
 pub(crate) mod special;
 pub(crate) mod trusses;
 pub(crate) mod two_cuts;
-use crate::chain::assembly_list::Assemblies;
-use crate::chain::assembly_list::ListedAssembly;
-use crate::chain::cutting::Pair;
-use linkage_assemblies::ClosureDegree;
-use linkage_assemblies::PinnedGroup;
 
 use super::*;
-use crate::chain::assembly_list::Outcome;
-use crate::chain::cutting::Placed;
+use crate::chain::assembly_list::{Assemblies, ListedAssembly, Outcome};
+use crate::chain::cutting::{Pair, Placed};
 use crate::chain::machine::RigidBody;
 use crate::chain::options::options;
 use crate::chain::plane::Complex;
+use linkage_assemblies::{ClosureDegree, PinnedGroup};
+pub(crate) use linkage_compiler::chain::assemblies::*;
 
 /// Numbers from zero to one by a linear congruence.
 struct Numbers(u64);

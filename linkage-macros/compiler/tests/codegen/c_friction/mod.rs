@@ -7,12 +7,11 @@ pub(crate) mod planted;
 
 use std::collections::BTreeMap;
 
-use linkage_core::private::{AllMet, Amounts, Checks, FirstError, Nonzero, System};
-use linkage_core::{Real, SolveError};
-
 use super::c_program::{Program, STRICT, bits};
 use super::c_run_time::Random;
 use crate::codegen::c::run_time;
+use linkage_core::private::{AllMet, Amounts, Checks, FirstError, Nonzero, System};
+use linkage_core::{Real, SolveError};
 
 const MOST: usize = 8;
 const PLACES: usize = MOST * (3 + 2 * MOST);

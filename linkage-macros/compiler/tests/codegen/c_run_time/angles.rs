@@ -2,9 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use linkage_core::Direction;
-
 use super::{Call, Program, Random, compare};
+use linkage_core::Direction;
 
 const NEAR: i32 = 19;
 

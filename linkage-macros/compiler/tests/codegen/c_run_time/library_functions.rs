@@ -1,8 +1,7 @@
 //! Functions that the run-time in C takes from `<math.h>`.
 
-use linkage_core::Fusion;
-
 use super::{Call, Program, Random, answers, arguments, expected};
+use linkage_core::Fusion;
 
 /// Exponentials and their kin are those of `<math.h>`, which is within an ulp, as the crate's are: two apart.
 pub(super) fn agree<F: Fusion>(programs: &[Program], count: usize) {

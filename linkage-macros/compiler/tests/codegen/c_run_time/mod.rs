@@ -10,16 +10,15 @@ pub(crate) mod library_functions;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
+use super::c_program::{self, Program, STRICT};
+use super::c_roots::roots_agree;
+use super::skipped::skipped;
+use crate::codegen::c::run_time;
 use linkage_core::private::{
     Certified, Diagnosis, Moving, Nonzero, NotNegative, Positive, ReachCircles, ReachDistances,
     ReachLine, ReachOffset, ShareOfCentres, Square, SquareOfCentres, diagnose_all, on_circle,
 };
 use linkage_core::{Float, Fused, Fusion, Lanes, Mask, Plain, Real, Scalar, SolveError};
-
-use super::c_program::{self, Program, STRICT};
-use super::c_roots::roots_agree;
-use super::skipped::skipped;
-use crate::codegen::c::run_time;
 
 const CONTRACTING: [&str; 3] = ["-std=gnu17", "-march=x86-64-v3", "-Wall"];
 

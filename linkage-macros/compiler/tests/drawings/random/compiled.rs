@@ -2,13 +2,11 @@
 
 use std::collections::HashMap;
 
-use crate::exact::Exact;
-use crate::interface::Interface;
-use crate::interface::entries::EntryPoint;
-use crate::interface::labels;
-use crate::ir::interpret::{Number, ProgramValues, interpret};
-
 use super::super::machine::Machine;
+use crate::exact::Exact;
+use crate::interface::entries::EntryPoint;
+use crate::interface::{Interface, labels};
+use crate::ir::interpret::{Number, ProgramValues, interpret};
 
 /// Numbers by name; of a direction first the cosine, then the sine.
 pub(super) type Results = HashMap<String, Vec<f64>>;

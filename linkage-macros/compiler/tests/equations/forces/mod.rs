@@ -1,7 +1,6 @@
 //! Reactions and efforts against Newton's and Euler's equations of every part in a hundred digits,
 //! against the virtual power of all that acts, and against what the ground carries.
 
-pub(crate) use linkage_compiler::equations::forces::*;
 pub(crate) mod bearings;
 pub(crate) mod carried;
 pub(super) mod topologies;
@@ -22,6 +21,7 @@ use crate::model::mechanism::{
 };
 use crate::oracle::{Digits, defaults, mechanism};
 use crate::passes;
+pub(crate) use linkage_compiler::equations::forces::*;
 
 /// The declaration with mass on every link and pin, and with forces and torques everywhere.
 pub(crate) fn loaded(source: &str) -> String {

@@ -1,14 +1,11 @@
 //! Thresholds of small graphs.
 
-pub(crate) use linkage_compiler::lower::ranges::*;
 pub(crate) mod whole_turns;
+
 use crate::exact::Exact;
 use crate::function::Function;
-use crate::ir::graph::Check;
-use crate::ir::graph::Graph;
-use crate::ir::graph::Guard;
-use crate::ir::graph::Id;
-use crate::ir::graph::Node;
+use crate::ir::graph::{Check, Graph, Guard, Id, Node};
+pub(crate) use linkage_compiler::lower::ranges::*;
 
 const WIDE: Assumed = Assumed {
     input: 1e60,

@@ -1,7 +1,8 @@
 //! Conditions that the fast path does not ask hold in every pose that it answers, of whole machines.
 
 use super::Values;
-use crate::equations::{self, declarations::VARIANTS};
+use crate::equations;
+use crate::equations::declarations::VARIANTS;
 use crate::ir::check::{Comparison, Least};
 use crate::ir::graph::{Graph, Id, Node};
 use crate::ir::interpret::{Number, ProgramValues, straight};

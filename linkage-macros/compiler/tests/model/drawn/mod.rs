@@ -1,10 +1,10 @@
 //! Drawings of links and joints: what is said of those that cannot be cut.
 
-pub(crate) use linkage_compiler::model::drawn::*;
 pub(crate) mod drive_equations;
 
 use super::check;
 use crate::drawings::lorry::LORRY;
+pub(crate) use linkage_compiler::model::drawn::*;
 
 /// A four-bar without its drive.
 const BARS: &str = "input t: angle; ground A(0, 0), D(4m, 0); pin B(0.5m, 0.9m), C(3.2m, 2.6m); \

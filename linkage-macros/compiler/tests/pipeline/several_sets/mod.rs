@@ -1,6 +1,7 @@
 //! Every mistake in sets of inputs, at the tokens that were written and without a name that nobody wrote.
 
 pub(crate) mod cuts;
+
 use crate::diagnostics::told;
 use crate::mistakes::proposals_are_read;
 use crate::pipeline::{self, Options};
