@@ -7,7 +7,6 @@ use super::limits::sine;
 use super::machine::{GROUND, Held, Machine};
 use super::plane::{Complex, Displaced, root};
 
-#[cfg(debug_assertions)]
 thread_local! {
     /// The count of residuals that were computed, by which tests bound the work of a cut.
     pub static RESIDUALS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
@@ -137,7 +136,6 @@ impl<'m> Posed<'m> {
         given: &mut PoseChanges,
         unknown: f64,
     ) -> Option<f64> {
-        #[cfg(debug_assertions)]
         RESIDUALS.with(|count| count.set(count.get() + 1));
         self.run(&search.steps, given, unknown)?;
         let machine = self.machine;

@@ -179,12 +179,12 @@ impl Enclosure {
 }
 
 /// value·2^−shift, rounded up; the shift of a negative number rounds down.
-fn ceil_shift(value: &BigInt, shift: u32) -> BigInt {
+pub fn ceil_shift(value: &BigInt, shift: u32) -> BigInt {
     -(-value >> shift)
 }
 
 /// The least integer not below the root.
-pub(super) fn ceil_sqrt(value: &BigInt) -> BigInt {
+pub fn ceil_sqrt(value: &BigInt) -> BigInt {
     let root = value.sqrt();
     if &root * &root == *value { root } else { root + 1 }
 }

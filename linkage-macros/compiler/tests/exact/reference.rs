@@ -1,5 +1,6 @@
 //! Operations on enclosures that only the oracle needs.
 
+use linkage_compiler::exact::enclosure::{ceil_shift, ceil_sqrt};
 use linkage_compiler::exact::rounding::WIDE;
 use linkage_compiler::exact::{Enclosure, elementary, word};
 use linkage_compiler::function::Function;
@@ -120,12 +121,11 @@ impl Reference for Enclosure {
     }
 
     fn halved(&self) -> Self {
-        let below: BigInt = -self.upper() >> 1;
-        Self::new(self.lower() >> 1, -below, self.bits())
+        Self::new(self.lower() >> 1, ceil_shift(self.upper(), 1), self.bits())
     }
 
     fn centre(&self) -> Self {
-        let middle: BigInt = (self.lower() + self.upper()) >> 1;
+        let (middle, _) = self.middle();
         Self::new(middle.clone(), middle, self.bits())
     }
 }
@@ -164,9 +164,4 @@ fn magnitudes(of: &Enclosure) -> (BigInt, BigInt) {
 /// The greater of the numbers of bits.
 fn finer(a: &Enclosure, b: &Enclosure) -> u32 {
     a.bits().max(b.bits())
-}
-
-fn ceil_sqrt(value: &BigInt) -> BigInt {
-    let root = value.sqrt();
-    if &root * &root == *value { root } else { root + 1 }
 }
