@@ -108,7 +108,8 @@ impl<const W: usize> LaneMask<W> {
 
 impl<const W: usize> BitAnd for LaneMask<W> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn bitand(mut self, other: Self) -> Self {
         for (one, &other) in self.0.iter_mut().zip(&other.0) {
             *one &= other;

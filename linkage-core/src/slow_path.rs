@@ -21,8 +21,7 @@ pub fn diagnose<T: Real, R: Record<Number = T> + Copy>(
     formulas: impl FnOnce(&mut FirstError) -> R,
 ) -> Result<R, SolveError> {
     let result = conditions_met(given, formulas)?;
-    let mut numbers = R::LABELS.iter().zip(result.into_array());
-    numbers.try_for_each(|(name, value)| finite_result(value, name, given))?;
+    record_is_finite(R::LABELS, result.into_array().as_ref(), given)?;
     Ok(result)
 }
 
@@ -71,7 +70,7 @@ pub fn diagnose_all<T: Real, R: Copy, const N: usize>(
     results: impl FnOnce(R) -> [(T, &'static str); N],
 ) -> Result<R, SolveError> {
     let result = conditions_met(given, formulas)?;
-    results(result).iter().try_for_each(|&(value, name)| finite_result(value, name, given))?;
+    results_are_finite(&results(result), given)?;
     Ok(result)
 }
 
@@ -105,9 +104,37 @@ pub(crate) fn conditions_met<T: Real, R>(
     given: &[(T, &'static str)],
     formulas: impl FnOnce(&mut FirstError) -> R,
 ) -> Result<R, SolveError> {
-    given.iter().try_for_each(|&(value, name)| finite_input(value, name))?;
+    inputs_are_finite(given)?;
     let mut first = FirstError::new();
     let result = formulas(&mut first);
     first.first()?;
     Ok(result)
+}
+
+// Without optimisation one of each serves all entry points of a type of numbers.
+
+#[cfg_attr(debug_assertions, inline(never))]
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn inputs_are_finite<T: Real>(given: &[(T, &'static str)]) -> Result<(), SolveError> {
+    given.iter().try_for_each(|&(value, name)| finite_input(value, name))
+}
+
+#[cfg_attr(debug_assertions, inline(never))]
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn results_are_finite<T: Real>(
+    results: &[(T, &'static str)],
+    given: &[(T, &'static str)],
+) -> Result<(), SolveError> {
+    results.iter().try_for_each(|&(value, name)| finite_result(value, name, given))
+}
+
+#[cfg_attr(debug_assertions, inline(never))]
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn record_is_finite<T: Real>(
+    names: &[&'static str],
+    numbers: &[T],
+    given: &[(T, &'static str)],
+) -> Result<(), SolveError> {
+    let mut numbers = names.iter().zip(numbers);
+    numbers.try_for_each(|(name, &value)| finite_result(value, name, given))
 }

@@ -58,13 +58,15 @@ impl<M: Mask, S> AllMet<M, S> {
         self.0
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn and(&mut self, met: M) {
         self.0 = self.0.and_condition(met);
     }
 
     /// Behind a condition that is compared alone.
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn behind(&mut self) {
         self.0 = self.0.behind_condition();
     }
@@ -76,7 +78,8 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         self.1.of(unknown)
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn root(&mut self, found: Result<[T; 2], FindError>, _: &'static str, _: &'static str) -> (T, T)
     where
         T: Real,
@@ -92,7 +95,8 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn closed(&mut self, difference: T, size: T, _: &'static str, _: &'static str)
     where
         T: Real,
@@ -101,14 +105,16 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         self.behind();
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(&mut self, angle: T) -> (T, T) {
         self.and(angle.is_near());
         self.behind();
         angle.sin_cos_near()
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn hypot(&mut self, x: T, y: T, least: T) -> T {
         let (length, is_near) = x.hypot_near(y, least);
         self.and(is_near);
@@ -116,17 +122,20 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         length
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn above(&mut self, value: T, least: T) {
         self.and(value.gt(least));
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_least(&mut self, value: T, least: T) {
         self.and(value.ge(least));
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn above_rounding(&mut self, value: T, spread: T) {
         const WIDE: f64 = ROUNDINGS * f64::EPSILON;
         const NARROW: f32 = ROUNDINGS as f32 * f32::EPSILON;
@@ -135,7 +144,8 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
 
     /// The magnitude, compared: neither a square, which underflows, nor a disjunction, which
     /// masks do not have.
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn away(&mut self, value: T, least: T) {
         let magnitude = T::select(value.ge(T::lit(0.0, 0.0)), value, -value);
         self.and(magnitude.gt(least));
@@ -147,7 +157,8 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         value
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn amounts<const W: usize, const M: usize>(
         &mut self,
         start: [T; M],
@@ -158,7 +169,8 @@ impl<T: Scalar, S: Seeds<T>> Checks<T> for AllMet<T::Mask, S> {
         found
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn straight_amounts<const W: usize, const M: usize, const P: usize, const N: usize>(
         &mut self,
         found: [T; M],

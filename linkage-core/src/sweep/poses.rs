@@ -56,7 +56,8 @@ macro_rules! operators {
     ($($trait:ident $method:ident),*) => {$(
         impl<T: Float, F: Fusion, A: Asked> $trait for Poses<T, F, A> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(debug_assertions, inline(never))]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 Self::of($trait::$method(self.lanes, other.lanes))
             }
@@ -68,7 +69,8 @@ operators!(Add add, Sub sub, Mul mul, Div div);
 
 impl<T: Float, F: Fusion, A: Asked> Neg for Poses<T, F, A> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self::of(-self.lanes)
     }
@@ -77,15 +79,18 @@ impl<T: Float, F: Fusion, A: Asked> Neg for Poses<T, F, A> {
 /// Methods that are those of the lanes: of one number and of two, and comparisons.
 macro_rules! of_the_lanes {
     ($($one:ident)*; $($two:ident)*; $($compared:ident)*) => {
-        $(#[inline(always)]
+        $(#[cfg_attr(debug_assertions, inline(never))]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn $one(self) -> Self {
             Self::of(self.lanes.$one())
         })*
-        $(#[inline(always)]
+        $(#[cfg_attr(debug_assertions, inline(never))]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn $two(self, other: Self) -> Self {
             Self::of(self.lanes.$two(other.lanes))
         })*
-        $(#[inline(always)]
+        $(#[cfg_attr(debug_assertions, inline(never))]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn $compared(self, other: Self) -> A::Mask {
             A::compared(self.lanes.$compared(other.lanes))
         })*
@@ -106,25 +111,30 @@ impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
     of_the_lanes!(sqrt; hypot pow; ge gt is_within);
     elementary!(functions_of_the_lanes);
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_near(self) -> A::Mask {
         A::compared(self.lanes.is_near())
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_finite(self) -> A::Mask {
         A::finite(self.lanes.is_finite())
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn lit(wide: f64, narrow: f32) -> Self {
         Self::of(Of::lit(wide, narrow))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.lanes.sin_cos();
         (Self::of(sin), Self::of(cos))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos_near(self) -> (Self, Self) {
         let (sin, cos) = match self.circles {
             Some(known) => known,
@@ -132,27 +142,33 @@ impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
         };
         (Self::of(sin), Self::of(cos))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn apply(self, function: LibraryFunction) -> Self {
         Self::of(self.lanes.apply(function))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn hypot_near(self, other: Self, least: Self) -> (Self, A::Mask) {
         root_of_squares(self, other, least)
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn det(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self::of(Scalar::det(a.lanes, b.lanes, c.lanes, d.lanes))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn fused(a: Self, b: Self, c: Self) -> Self {
         Self::of(Scalar::fused(a.lanes, b.lanes, c.lanes))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul_err(a: Self, b: Self) -> Self {
         Self::of(Scalar::mul_err(a.lanes, b.lanes))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_err(a: Self, b: Self) -> Self {
         Self::of(Scalar::add_err(a.lanes, b.lanes))
     }
@@ -160,7 +176,8 @@ impl<T: Float, F: Fusion, A: Asked> Scalar for Poses<T, F, A> {
     fn plain(wide: bool, narrow: bool) -> bool {
         <Of<T, F> as Scalar>::plain(wide, narrow)
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn select(mask: A::Mask, yes: Self, no: Self) -> Self {
         Self::of(Scalar::select(A::usable(mask), yes.lanes, no.lanes))
     }

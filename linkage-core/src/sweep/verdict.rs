@@ -91,7 +91,8 @@ pub(super) struct Verdict {
 
 impl Verdict {
     /// The poses whose first failure is a group out of reach.
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn out_of_reach(self) -> [bool; TOGETHER] {
         let mut out = self.sound.to_array();
         for (out, reached) in out.iter_mut().zip(self.reached.to_array()) {
@@ -105,7 +106,8 @@ impl Verdict {
 impl BitAnd for Verdict {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn bitand(self, other: Self) -> Self {
         Self {
             met: self.met & other.met,
@@ -131,12 +133,14 @@ impl Mask for Verdict {
         self.met.all()
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn and_condition(self, condition: Self) -> Self {
         Self { met: self.met & condition.met, ..self }
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn behind_condition(self) -> Self {
         Self { earlier: self.met, ..self }
     }
