@@ -201,7 +201,7 @@ pub fn angle(y: &BigInt, x: &BigInt, bits: u32) -> Enclosure {
 /// wrong by at most e/4 + 1 + 1: none is wrong by more than 3 ulp, a share of the sum by one more.
 /// The first power left out is wrong by at most 3 ulp from zero, the tail below twice that.
 fn small_arc_tangent(v: &BigInt, working: u32) -> (BigInt, BigInt) {
-    debug_assert!(v.bits() < u64::from(working));
+    assert!(v.bits() < u64::from(working));
     let square = (v * v) >> working;
     let (mut power, mut odd, mut sum) = (v.abs(), 1_u32, BigInt::zero());
     while !power.is_zero() {

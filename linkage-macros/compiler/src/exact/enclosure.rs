@@ -26,7 +26,7 @@ impl Enclosure {
     pub(crate) const MIN_BITS: u32 = 64;
 
     pub fn new(lower: BigInt, upper: BigInt, bits: u32) -> Self {
-        debug_assert!(lower <= upper && bits >= Self::MIN_BITS);
+        assert!(lower <= upper && bits >= Self::MIN_BITS);
         Self { lower, upper, bits }
     }
 

@@ -235,7 +235,7 @@ const SMALL_PRIMES: [u32; 25] = [
 /// m is free of the squares of small primes and no square itself; the square of a large prime
 /// inside a larger number goes unnoticed, which costs a normal form its uniqueness, not its truth.
 pub fn square_part(value: &BigInt) -> (BigInt, BigInt) {
-    debug_assert!(value.is_positive());
+    assert!(value.is_positive());
     let (mut rest, mut root) = (value.clone(), BigInt::one());
     for prime in SMALL_PRIMES {
         let square = BigInt::from(prime * prime);

@@ -72,7 +72,7 @@ impl Format {
         let ulp = (exponent + length - self.precision).max(self.least);
         let dropped = ulp - exponent;
         let (mut kept, tail) = if dropped <= 0 {
-            debug_assert!(!more, "the significand has bits to spare");
+            assert!(!more, "the significand has bits to spare");
             ((significand << dropped.unsigned_abs()).to_u64().unwrap_or(0), Tail::Nothing)
         } else if dropped > length {
             let tail = if more || length > 0 { Tail::BelowHalf } else { Tail::Nothing };

@@ -124,10 +124,8 @@ impl Graph {
         let next = Id(u32::try_from(self.nodes.len()).expect("a graph has fewer than 2^32 nodes"));
         let id = *self.node_ids.or_insert(node, next);
         if id == next {
-            if cfg!(debug_assertions) {
-                let is_earlier = |operand| assert!(operand < id, "operands come first");
-                self.for_operands(node, Path::Slow, &mut { is_earlier });
-            }
+            let is_earlier = |operand| assert!(operand < id, "operands come first");
+            self.for_operands(node, Path::Slow, &mut { is_earlier });
             self.has_trials |= matches!(node, Node::Trial(_));
             self.nodes.push(node);
         }
