@@ -125,7 +125,10 @@ impl<F, const N: usize> Found<F, N> {
             evaluations: attempts.iter().map(|attempt| attempt.evaluations).sum(),
         };
         let optimality = Optimality::of(&best.x, &at);
-        let (undetermined, deviations) = determined(problem, &at, &optimality);
+        let eliminated = problem.aims.iter().map(|aim| aim.eliminated).sum();
+        let widths = problem.widths();
+        let (undetermined, deviations) =
+            determined(&problem.parameters, &widths, eliminated, &at, &optimality);
         Ok(Self {
             solver: (problem.on_numbers)(parameters),
             parameters: problem.parameters,
@@ -138,7 +141,7 @@ impl<F, const N: usize> Found<F, N> {
             counts,
             undetermined,
             confirmed: Vec::new(),
-            deviations,
+            deviations: deviations.map(|all| core::array::from_fn(|i| all[i])),
         })
     }
 
@@ -203,21 +206,23 @@ fn prices<'a, M: 'a, F, const N: usize>(
 const RANK: f64 = 1e-8;
 
 /// The parameters that are left open, and the deviations where none is.
-fn determined<'a, M: 'a, F, const N: usize>(
-    problem: &Problem<'a, M, F, N>,
+fn determined(
+    parameters: &[&'static str],
+    widths: &[f64],
+    eliminated: usize,
     at: &Evaluation,
     optimality: &Optimality,
-) -> (Vec<&'static str>, Option<[f64; N]>) {
+) -> (Vec<&'static str>, Option<Vec<f64>>) {
+    let count = parameters.len();
     let held: Vec<_> = optimality.prices.iter().filter(|(_, price)| *price > 0.0).collect();
-    let push = DMatrix::from_fn(held.len(), N, |row, i| match held[row].0 {
+    let push = DMatrix::from_fn(held.len(), count, |row, i| match held[row].0 {
         Limit::Reserve(row) => at.keeps.slopes[(row, i)] / at.keeps.slopes.row(row).norm(),
         Limit::Least(j) | Limit::Most(j) => f64::from(u8::from(i == j)),
     });
     let free = null_space(&push);
     let open = &free * null_space(&(&at.aims.slopes * &free));
     let is_open = |i: &usize| open.ncols() > 0 && open.row(*i).amax() > 1e-4;
-    let undetermined = (0..N).filter(is_open).map(|i| problem.parameters[i]).collect();
-    let eliminated: usize = problem.aims.iter().map(|aim| aim.eliminated).sum();
+    let undetermined = (0..count).filter(is_open).map(|i| parameters[i]).collect();
     let rows = at.aims.values.len().saturating_sub(eliminated);
     if open.ncols() > 0 || rows <= free.ncols() {
         return (undetermined, None);
@@ -228,9 +233,8 @@ fn determined<'a, M: 'a, F, const N: usize>(
         return (undetermined, None);
     };
     let covariance = &free * inverse * free.transpose();
-    let widths = problem.widths();
     let deviation = |i: usize| (variance * covariance[(i, i)]).sqrt() * widths[i];
-    (undetermined, Some(core::array::from_fn(deviation)))
+    (undetermined, Some((0..count).map(deviation).collect()))
 }
 
 /// An orthonormal basis of what a matrix maps to zero.

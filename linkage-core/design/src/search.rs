@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::{OnceLock, mpsc};
 
 /// The state of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,45 +43,63 @@ impl core::fmt::Display for Progress {
 
 /// The results for 0 … count − 1, in that order; none for those that a break left out. `done` is called on
 /// this thread with each result.
-pub(crate) fn each<T: Send>(
+pub(crate) fn each<T: Send + Sync>(
     count: usize,
     threads: usize,
     one: impl Fn(usize) -> T + Sync,
     mut done: impl FnMut(usize, &T) -> ControlFlow<()>,
 ) -> Vec<Option<T>> {
-    let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
+    let results: Vec<OnceLock<T>> = (0..count).map(|_| OnceLock::new()).collect();
+    let put = |index: usize| {
+        results[index].get_or_init(|| one(index));
+    };
+    let mut told = |index: usize| {
+        results[index].get().map_or(ControlFlow::Continue(()), |result| done(index, result))
+    };
+    distribute(count, threads, &put, &mut told);
+    results.into_iter().map(OnceLock::into_inner).collect()
+}
+
+/// Calls a function for 0 … count − 1 on some threads, and another one on this thread for each that is done. One function
+/// for whatever is computed: threads and channels are long to compile.
+fn distribute(
+    count: usize,
+    threads: usize,
+    one: &(dyn Fn(usize) + Sync),
+    done: &mut dyn FnMut(usize) -> ControlFlow<()>,
+) {
     if threads <= 1 {
-        for (index, result) in results.iter_mut().enumerate() {
-            let new = one(index);
-            let flow = done(index, &new);
-            *result = Some(new);
-            if flow.is_break() {
-                break;
+        for index in 0..count {
+            one(index);
+            if done(index).is_break() {
+                return;
             }
         }
-        return results;
+        return;
     }
     let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
     std::thread::scope(|scope| {
         let (send, receive) = mpsc::channel();
         for _ in 0..threads {
-            let (send, one, next, stopped) = (send.clone(), &one, &next, &stopped);
+            let (send, next, stopped) = (send.clone(), &next, &stopped);
             scope.spawn(move || {
                 while !stopped.load(Ordering::Relaxed) {
                     let index = next.fetch_add(1, Ordering::Relaxed);
-                    if index >= count || send.send((index, one(index))).is_err() {
+                    if index >= count {
+                        break;
+                    }
+                    one(index);
+                    if send.send(index).is_err() {
                         break;
                     }
                 }
             });
         }
         drop(send);
-        for (index, result) in receive {
-            if done(index, &result).is_break() {
+        for index in receive {
+            if done(index).is_break() {
                 stopped.store(true, Ordering::Relaxed);
             }
-            results[index] = Some(result);
         }
     });
-    results
 }
