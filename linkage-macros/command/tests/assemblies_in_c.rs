@@ -39,13 +39,18 @@ fn printed(folder: &Path, more: &[&str]) {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// Compiles all sources strictly with these arguments; nothing without a compiler.
+/// Compiles all sources strictly with these arguments, and optimised with `LINKAGE_WHOLE`; nothing without a compiler.
 fn compiled(folder: &Path, compiler: &str, arguments: &[&str]) -> Option<()> {
     let sources = fs::read_dir(folder).expect("it is there").flatten().map(|entry| entry.path());
     let sources = sources.filter(|path| path.extension().is_some_and(|ending| ending == "c"));
     let mut command = Command::new(compiler);
     command.args(["-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wredundant-decls", "-Werror"]);
-    command.arg("-O2").args(arguments).args(sources).arg("-lm").current_dir(folder);
+    command
+        .arg(["-O0", "-O2"][cases(0, 1)])
+        .args(arguments)
+        .args(sources)
+        .arg("-lm")
+        .current_dir(folder);
     let Ok(output) = command.output() else {
         skipped(&format!("assemblies in C: no {compiler}"));
         return None;

@@ -16,7 +16,7 @@ use std::process::{Command, Output, Stdio};
 use caller::source;
 use linkage_core::private::{CarriesOver, Solver};
 use linkage_core::{Real, Record, Transfer, TransferError, mechanism};
-use random::Random;
+use random::{Random, cases};
 use skipped::skipped;
 
 include!("data/both_ways.rs");
@@ -48,7 +48,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     paths.filter(|path| path.extension().is_some_and(|ending| ending == "c")).collect()
 }
 
-/// All programs in C behind one strict compiler, with these flags; nothing without one.
+/// All programs in C behind one strict compiler, with these flags, and optimised with `LINKAGE_WHOLE`; nothing without one.
 fn program(name: &str, more: &[&str]) -> Option<PathBuf> {
     let folder = folder(name);
     printed(&folder, &["export", "c", "machines.rs", "-o", "."]);
@@ -64,7 +64,7 @@ fn program(name: &str, more: &[&str]) -> Option<PathBuf> {
         "-Wredundant-decls",
         "-Wmissing-prototypes",
         "-Werror",
-        "-O2",
+        ["-O0", "-O2"][cases(0, 1)],
     ];
     let mut command = Command::new("cc");
     command.args(strict).args(more).args(sources(&folder)).current_dir(&folder);

@@ -4,6 +4,8 @@
 //! `drawings` are machines drawn by hand and by chance, and `fuzz` is everything else that might be written.
 
 mod brackets;
+#[path = "../../../linkage-core/src/cases.rs"]
+mod cases;
 mod chain;
 mod codegen;
 mod diagnostics;

@@ -4,6 +4,8 @@
 mod access;
 mod before;
 mod browser;
+#[path = "../../../../linkage-core/src/cases.rs"]
+mod cases;
 #[path = "../chromium/mod.rs"]
 mod chromium;
 mod contents;

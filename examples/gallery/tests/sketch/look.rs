@@ -2,9 +2,9 @@
 
 use gallery::declarations::{excavator, flying_shear, six_bar, slider_crank};
 use gallery::motions::turn;
-use gallery::pieces;
 use linkage_core::sketch::{Film, Theme};
 
+use super::sample;
 use super::xml::{Element, numbers, parse};
 
 /// The elements of this kind that have all of these attributes.
@@ -45,7 +45,7 @@ fn every_part_has_the_size_of_its_symbol() {
 
 #[test]
 fn pages_have_room_and_the_colours_of_their_theme() {
-    for piece in pieces() {
+    for piece in sample() {
         let root = drawn(&piece.film);
         let [width, height] =
             ["width", "height"].map(|side| root.attribute(side).unwrap().parse::<f64>().unwrap());
@@ -91,7 +91,7 @@ fn whatever_is_written_stands_out_from_the_paper() {
 /// A picture for either scheme is the light one, and its rules turn it into the dark one.
 #[test]
 fn one_picture_is_light_and_dark() {
-    for piece in pieces() {
+    for piece in sample() {
         let [auto, light, dark] = [Theme::Auto, Theme::Light, Theme::Dark]
             .map(|theme| piece.film.to_svg_in(theme).unwrap());
         let (head, rest) = auto.split_once(" class=\"auto\"><style>").expect("it has rules");

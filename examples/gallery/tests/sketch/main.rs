@@ -3,6 +3,8 @@
 mod bad_input;
 mod bodies;
 mod browser;
+#[path = "../../../../linkage-core/src/cases.rs"]
+mod cases;
 #[path = "../chromium/mod.rs"]
 mod chromium;
 mod gaps;
@@ -19,3 +21,11 @@ mod snapshots;
 mod springs;
 mod text;
 mod xml;
+
+use cases::cases;
+use gallery::{Piece, pieces};
+
+/// Every third machine of the gallery, and with `LINKAGE_WHOLE` every one.
+fn sample() -> impl Iterator<Item = Piece> {
+    pieces().into_iter().step_by(cases(3, 1))
+}

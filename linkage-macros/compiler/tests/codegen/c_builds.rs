@@ -10,7 +10,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::c_printed::{CORTEX_M4, print_every};
+use super::c_program::level;
 use super::skipped::skipped;
+use crate::cases::cases;
 use crate::codegen::c::provenance::Prefix;
 use crate::codegen::c::run_time;
 
@@ -95,7 +97,7 @@ fn every_loop_says_how_often_it_runs() {
 }
 
 fn compiled(folder: &Path, flags: &[&str], arguments: &[&str]) -> bool {
-    let warnings = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror"];
+    let warnings = ["-std=c99", level(), "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror"];
     let command = Command::new("cc")
         .args(warnings)
         .args(["-D_GNU_SOURCE"])
@@ -208,7 +210,7 @@ fn asked_for(nth: usize) -> Option<Vec<String>> {
     std::fs::write(root.join("linkage_run.h"), run_time::header()).expect("it can be written");
     sources.push("linkage_run.c".to_string());
     let mut symbols = Vec::new();
-    for level in ["-O0", "-O2"] {
+    for level in ["-O2", "-O0"].into_iter().take(cases(1, 2)) {
         for source in &sources {
             let arguments = [CORTEX_M4, &["-std=c99", level, "-c", source, "-o", "object.o"]];
             let compiler = Command::new("arm-none-eabi-gcc")

@@ -2,6 +2,7 @@
 
 use std::process::Command;
 
+use super::c_program::level;
 use super::skipped::skipped;
 use crate::pipeline;
 
@@ -46,7 +47,7 @@ pub(super) fn printed(name: &str, source: &str, caller: &str) -> Option<String> 
     std::fs::write(folder.join("caller.c"), caller).expect("it can be written");
     let sources = files.iter().map(|file| &file.name[..]).filter(|name| name.ends_with(".c"));
     let compiled = Command::new("cc")
-        .args(["-std=c99", "-O2", "-Wall", "-Werror", "-o", "caller", "caller.c"])
+        .args(["-std=c99", level(), "-Wall", "-Werror", "-o", "caller", "caller.c"])
         .args(sources)
         .arg("-lm")
         .current_dir(&folder)

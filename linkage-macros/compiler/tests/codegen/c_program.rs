@@ -5,10 +5,17 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use super::skipped::skipped;
+use crate::cases::cases;
 use crate::codegen::c::run_time;
 
 pub(super) const STRICT: [&str; 6] =
     ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion"];
+
+/// The level at which a compiler optimises. Numbers are those of Rust at any level, and a run-time is compiled in a third of
+/// the time at the lowest. `LINKAGE_WHOLE` asks for the one of releases.
+pub(super) fn level() -> &'static str {
+    ["-O0", "-O2"][cases(0, 1)]
+}
 
 /// A compiled program, in a folder that goes with it.
 pub(super) struct Program {
@@ -39,7 +46,7 @@ impl Program {
         let program = Self { folder };
         let command = Command::new(compiler)
             .args(flags)
-            .args(["-O2", "-Werror", "-o", "caller", "caller.c", "linkage_run.c", part, "-lm"])
+            .args([level(), "-Werror", "-o", "caller", "caller.c", "linkage_run.c", part, "-lm"])
             .current_dir(&program.folder)
             .output();
         let Ok(output) = command else {

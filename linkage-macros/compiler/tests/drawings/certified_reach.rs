@@ -223,10 +223,10 @@ fn of_machines(nths: impl Iterator<Item = usize>, poses: usize, tried: usize) ->
     shares
 }
 
-/// Four of the sixty machines that `.ci/nightly` takes.
+/// Two of the sixty machines that `.ci/nightly` takes.
 #[test]
 fn of_random_machines_nearly_all_of_the_motion_is_certified_and_nothing_else_answered() {
-    let shares = of_machines([3, 20, 40, 55].into_iter(), 100, 100);
+    let shares = of_machines([3, 40].into_iter(), 100, 100);
     assert!(100 * shares.certified >= 99 * shares.poses, "{shares:?}");
 }
 

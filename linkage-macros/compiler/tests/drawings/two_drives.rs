@@ -6,6 +6,7 @@
 
 use super::answers::Answers;
 use super::machine::{Machine, machine};
+use crate::cases::cases;
 
 /// The links of the machines are about a metre long, their masses and forces about one: sums of some hundred products.
 const OFF: f64 = 1e-10;
@@ -194,7 +195,7 @@ fn moved(statements: &str, by: &str) -> String {
 #[test]
 fn what_is_driven_changes_no_number_of_a_pose() {
     for driven in &MACHINES {
-        for by in ["e-9m", "mm"] {
+        for by in ["mm", "e-9m"].into_iter().take(cases(1, 2)) {
             let compared = agree(driven, OFF, |statements| moved(statements, by));
             assert!(compared > 120, "{}: {compared}", driven.name);
         }

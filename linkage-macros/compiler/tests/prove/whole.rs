@@ -2,6 +2,7 @@
 
 use super::computed::computed;
 use super::machines::{Case, MACHINES, case};
+use crate::cases::cases;
 use crate::equations::declarations::VARIANTS;
 use crate::equations::parallelograms::PARALLELOGRAMS;
 use crate::ir::interpret::{Number, ProgramValues, interpret};
@@ -132,7 +133,7 @@ fn of_machines(poses: usize) {
 
 #[test]
 fn no_error_is_above_its_bound_and_no_bound_is_far_above() {
-    of_machines(6_000);
+    of_machines(cases(1_500, 6_000));
 }
 
 #[test]
@@ -141,10 +142,10 @@ fn no_error_of_many_poses_is_above_its_bound() {
     of_machines(60_000);
 }
 
-/// Every variant of every group has bounds around its pose, and no error is above them.
+/// Every third variant of a group, and with `LINKAGE_WHOLE` every one, has bounds around its pose, and no error is above them.
 #[test]
-fn every_variant_of_a_group_is_proved() {
-    for variant in VARIANTS.iter().chain(PARALLELOGRAMS) {
+fn variants_of_groups_are_proved() {
+    for variant in VARIANTS.iter().chain(PARALLELOGRAMS).step_by(cases(3, 1)) {
         // Where two lengths are equal, as at 0.2, a selection jumps.
         let around = |[value, ..]: &[f64; 3]| [*value, value + 0.01];
         let ranges: Vec<[f64; 2]> = variant.inputs.iter().map(around).collect();

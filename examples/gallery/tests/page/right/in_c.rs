@@ -1,10 +1,12 @@
-//! Answers of printed C, compiled strictly, beside those of Rust: in both widths, to the bit.
+//! Answers of printed C, compiled strictly, beside those of Rust: in both widths, to the bit. With `LINKAGE_WHOLE` it is
+//! optimised as well.
 
 use std::fmt::Write;
 use std::process::Command;
 
 use proc_macro2::{TokenStream, TokenTree};
 
+use super::super::cases::cases;
 use super::super::numbers::skipped::skipped;
 
 /// A declaration that is printed in C.
@@ -127,7 +129,16 @@ impl Printed {
         std::fs::write(folder.join("caller.c"), caller).expect("it can be written");
         let sources = files.iter().map(|file| &file.name[..]).filter(|name| name.ends_with(".c"));
         let compiled = Command::new("cc")
-            .args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Wshadow", "-Werror", "-o", "caller"])
+            .args([
+                "-std=c99",
+                ["-O0", "-O2"][cases(0, 1)],
+                "-Wall",
+                "-Wextra",
+                "-Wshadow",
+                "-Werror",
+                "-o",
+                "caller",
+            ])
             .arg("caller.c")
             .args(sources)
             .arg("-lm")

@@ -162,7 +162,7 @@ fn left_out(program: &Program, graph: &Graph, all: &[&Condition]) -> [usize; 2] 
 /// Some of the random six-bars; `.ci/nightly` takes sixty.
 #[test]
 fn conditions_that_are_not_asked_hold_over_whole_turns() {
-    conditions_of_six_bars_hold(15);
+    conditions_of_six_bars_hold(8);
 }
 
 #[test]
